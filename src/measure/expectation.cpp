@@ -1,0 +1,55 @@
+#include "measure/expectation.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "measure/measures.h"
+
+namespace taut {
+namespace {
+
+Finding at_most(std::string key, double measured, double most, std::string_view unit) {
+  return {std::move(key), measured <= most,
+          fmt::format("{:.4g}{} of at most {:.4g}{}", measured, unit, most, unit)};
+}
+
+Finding within(std::string key, double measured, const std::array<double, 2>& range, std::string_view unit) {
+  return {std::move(key), measured >= range[0] && measured <= range[1],
+          fmt::format("{:.4g}{} of {:.4g} to {:.4g}{}", measured, unit, range[0], range[1], unit)};
+}
+
+Finding all_inside(const std::array<Vec3, 2>& box, const Model& model, const State& end) {
+  for (std::size_t i = 0; i < model.masses.size(); ++i) {
+    const Vec3 x = end.position.at(i);
+    if ((x.array() >= box[0].array()).all() && (x.array() <= box[1].array()).all()) continue;
+    return {
+        "inside", false,
+        fmt::format("{} is outside, at ({:.4g}, {:.4g}, {:.4g})", model.masses.name[i], x.x(), x.y(), x.z())};
+  }
+  return {"inside", true, "every mass"};
+}
+
+}  // namespace
+
+std::vector<Finding> check_expectation(const Expectation& expectation, const Model& model, const State& start,
+                                       const State& end) {
+  std::vector<Finding> findings;
+  if (expectation.max_strain)
+    findings.push_back(at_most("max_strain", link_strain(model, end).largest, *expectation.max_strain, ""));
+  if (expectation.energy_drift) {
+    const double drift = std::abs(energy(model, end).total() - energy(model, start).total());
+    findings.push_back(
+        at_most("energy_drift", drift / energy_scale(model, start), *expectation.energy_drift, ""));
+  }
+  if (expectation.broken_links)
+    findings.push_back(
+        within("broken_links", static_cast<double>(broken_links(end)), *expectation.broken_links, ""));
+  if (expectation.sag) findings.push_back(within("sag", sag(model, end), *expectation.sag, " m"));
+  if (expectation.at_rest)
+    findings.push_back(at_most("at_rest", fastest_speed(end), *expectation.at_rest, " m/s"));
+  if (expectation.inside) findings.push_back(all_inside(*expectation.inside, model, end));
+  return findings;
+}
+
+}  // namespace taut

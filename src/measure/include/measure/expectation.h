@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/expectation.h"
+#include "model/model.h"
+#include "model/state.h"
+
+namespace taut {
+
+/// One thing a scene expects, and whether it came true.
+struct Finding {
+  std::string key;  ///< the key of [expect]
+  bool holds = false;
+  std::string text;  ///< what was measured beside what was expected
+};
+
+/// Tests every part of an expectation that is stated, in the order of its members.
+std::vector<Finding> check_expectation(const Expectation& expectation, const Model& model, const State& start,
+                                       const State& end);
+
+}  // namespace taut

@@ -1,0 +1,129 @@
+// Semi-implicit Euler with links set in place, the scheme that this program began with, as its text describes
+// it.
+//
+//   v ← v + h a            gravity and loads; drag implicit
+//   x ← x + h v
+//   then, `passes` times, for each link (a, b) of length l in the file's order, d = x_a − x_b:
+//     |d| > l·break_stretch   → the link is destroyed
+//     both free               → x_a ← m + (l/2) d/|d|,  x_b ← m − (l/2) d/|d|,  m = (x_a + x_b)/2
+//     b pinned                → x_a ← x_b + l d/|d|     (and the other way round)
+//
+// (The text compares the other way round, l·threshold > |d|, which would destroy every slack link at once.)
+// Positions are overridden whatever the masses weigh, so momentum is not conserved between unequal ones; and
+// velocities are left alone (velocities = "kept"), so gravity goes on adding speed to masses that hang still
+// and no refinement of h or of the passes converges. velocities = "derived" takes v = Δx/h instead, and comes
+// to rest.
+
+#include <array>
+#include <cmath>
+
+#include "forces.h"
+#include "methods/method.h"
+#include "parameters.h"
+
+namespace taut {
+namespace {
+
+class EulerStepper final : public Stepper {
+ public:
+  EulerStepper(const Model& model, int passes, bool keep_velocities)
+      : model_(model), passes_(passes), keep_velocities_(keep_velocities), links_(solvable_links(model)) {}
+
+  void links_changed(const State&) override {}
+  bool breaks_within_step() const override { return true; }
+
+  StepReport step(State& state, double h) override {
+    State next = state;
+    StepReport report;
+    next.time += h;
+    kick(model_, next.time, h, state.velocity, next.velocity);
+    drift(h, state.position, next.velocity, next.position);
+    place_pins(model_, next.time, next.position, next.velocity);
+    for (int pass = 0; pass < passes_; ++pass) relax(next, report);
+    if (model_.plane) land(state, next, h);
+    if (!keep_velocities_) {
+      difference_quotient(h, state.position, next.position, next.velocity);
+      place_pins(model_, next.time, next.position, next.velocity);
+    }
+    if (!all_finite(next)) {
+      report.status = StepStatus::not_finite;
+      return report;
+    }
+    report.rounds = passes_;
+    state = std::move(next);
+    return report;
+  }
+
+ private:
+  void relax(State& state, StepReport& report) const {
+    for (const Index link : links_) {
+      if (state.broken(link)) continue;
+      const Index a = model_.links.a[link], b = model_.links.b[link];
+      const double length = model_.links.length[link];
+      const Vec3 x_a = state.position.at(a), x_b = state.position.at(b);
+      const Vec3 difference = x_a - x_b;
+      const double distance = difference.norm();
+      if (distance > length * model_.links.break_stretch[link]) {
+        state.broken_at[link] = state.time;
+        ++report.breaks;
+        continue;
+      }
+      if (distance == 0.0) continue;  // no direction to move in; gravity or a neighbour will part the two
+      const Vec3 reach = difference * (length / distance);
+      if (model_.masses.pinned(a)) {
+        state.position.set(b, x_a - reach);
+      } else if (model_.masses.pinned(b)) {
+        state.position.set(a, x_b + reach);
+      } else {
+        const Vec3 middle = 0.5 * (x_a + x_b);
+        state.position.set(a, middle + 0.5 * reach);
+        state.position.set(b, middle - 0.5 * reach);
+      }
+      ++report.link_solves;
+    }
+  }
+
+  // The plane is not in the text: masses in it are put onto it, and what it takes from their way it takes
+  // from their velocity too, or kept velocities would grow for ever below it.
+  void land(const State& before, State& next, double h) const {
+    const Vectors fallen = next.position;
+    keep_out_of_plane(*model_.plane, model_.masses, before.position, next.position);
+    for (std::size_t i = 0; i < fallen.size(); ++i)
+      next.velocity.add(i, (next.position.at(i) - fallen.at(i)) / h);
+  }
+
+  const Model& model_;
+  int passes_;
+  bool keep_velocities_;
+  std::vector<Index> links_;
+};
+
+constexpr std::array<std::string_view, 2> velocity_choices{"kept", "derived"};
+constexpr std::array params{
+    steps_per_second_param(60.0),
+    passes_param(4.0),
+    Param{"velocities", "", 0, 0, 0, false, velocity_choices,
+          "kept: links leave velocities alone, as the text has it; derived: v = Δx/h"},
+};
+
+std::unique_ptr<Stepper> make(const Model& model, const Settings& settings) {
+  return std::make_unique<EulerStepper>(model, static_cast<int>(settings.number("passes")),
+                                        settings.choice("velocities") == "kept");
+}
+
+}  // namespace
+
+Method euler_method() {
+  Capabilities can;
+  can.plane = true;
+  can.break_stretch = true;
+  can.between_steps = Interpolation::linear;
+  return {"euler",
+          "semi-implicit Euler, links set in place (the base line)",
+          "Ragdoll and Cloth Physics Simulation",
+          params,
+          can,
+          make};
+}
+
+}  // namespace taut

@@ -1,0 +1,63 @@
+#include "forces.h"
+
+namespace taut {
+namespace {
+
+void kick_axis(const std::vector<double>& inverse_mass, double gain, double damp,
+               const std::vector<double>& velocity, std::vector<double>& kicked) {
+  for (std::size_t i = 0; i < velocity.size(); ++i)
+    kicked[i] = inverse_mass[i] == 0.0 ? velocity[i] : (velocity[i] + gain) * damp;
+}
+
+void drift_axis(double h, const std::vector<double>& position, const std::vector<double>& velocity,
+                std::vector<double>& moved) {
+  for (std::size_t i = 0; i < position.size(); ++i) moved[i] = position[i] + h * velocity[i];
+}
+
+void difference_axis(double rate, const std::vector<double>& from, const std::vector<double>& to,
+                     std::vector<double>& velocity) {
+  for (std::size_t i = 0; i < from.size(); ++i) velocity[i] = (to[i] - from[i]) * rate;
+}
+
+}  // namespace
+
+void kick(const Model& model, double load_time, double h, const Vectors& velocity, Vectors& kicked) {
+  const std::vector<double>& inverse_mass = model.masses.inverse_mass;
+  const double damp = 1.0 / (1.0 + h * model.drag);
+  kick_axis(inverse_mass, h * model.gravity.x(), damp, velocity.x, kicked.x);
+  kick_axis(inverse_mass, h * model.gravity.y(), damp, velocity.y, kicked.y);
+  kick_axis(inverse_mass, h * model.gravity.z(), damp, velocity.z, kicked.z);
+  for (const Load& load : model.loads) {
+    const Vec3 impulse = load.force * (load.share(load_time) * h * damp);
+    if (impulse.isZero(0.0)) continue;
+    for (const Index mass : load.masses) kicked.add(mass, impulse * inverse_mass[mass]);
+  }
+}
+
+void drift(double h, const Vectors& position, const Vectors& velocity, Vectors& moved) {
+  drift_axis(h, position.x, velocity.x, moved.x);
+  drift_axis(h, position.y, velocity.y, moved.y);
+  drift_axis(h, position.z, velocity.z, moved.z);
+}
+
+void difference_quotient(double h, const Vectors& from, const Vectors& to, Vectors& velocity) {
+  difference_axis(1.0 / h, from.x, to.x, velocity.x);
+  difference_axis(1.0 / h, from.y, to.y, velocity.y);
+  difference_axis(1.0 / h, from.z, to.z, velocity.z);
+}
+
+void keep_out_of_plane(const Plane& plane, const Masses& masses, const Vectors& start, Vectors& position) {
+  for (std::size_t i = 0; i < position.size(); ++i) {
+    const Vec3 x = position.at(i);
+    const double depth = (plane.point - x).dot(plane.normal);
+    if (!(depth > 0.0) || masses.pinned(i)) continue;
+    const Vec3 moved = x - start.at(i);
+    const Vec3 slide = moved - plane.normal * moved.dot(plane.normal);
+    const double distance = slide.norm();
+    const double held = plane.friction * depth;
+    const double kept = distance > held ? 1.0 - held / distance : 0.0;
+    position.set(i, x + plane.normal * depth - slide * (1.0 - kept));
+  }
+}
+
+}  // namespace taut

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "methods/method.h"
+
+namespace taut {
+
+/// Every method, in the order in which lists, charts and tests show them.
+std::span<const Method> all_methods();
+
+/// The method of that name, or nullptr.
+const Method* find_method(std::string_view name);
+
+/// The parameter of that name of a method, or nullptr.
+const Param* find_param(const Method& method, std::string_view name);
+
+/// Fills in the defaults of what `given` leaves out. Throws BadRequest for a method or parameter that does
+/// not exist (naming the nearest one) and for values out of range.
+Settings complete_settings(const Settings& given);
+
+/// What is wrong with one value for a parameter, as a sentence with the range or the choices; empty when it
+/// is fine.
+std::string param_problem(const Param& param, const std::variant<double, std::string>& value);
+
+/// What the model needs that the method can't do, one sentence each, naming the methods that can; empty when
+/// it can do all.
+std::vector<std::string> capability_problems(const Model& model, const Method& method);
+
+}  // namespace taut

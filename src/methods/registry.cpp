@@ -1,0 +1,122 @@
+#include "methods/registry.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "base/failure.h"
+#include "base/nearest.h"
+
+namespace taut {
+
+// One file and two lines here for each method: its declaration, and its place in the list.
+Method euler_method();
+Method verlet_method();
+Method xpbd_method();
+
+std::span<const Method> all_methods() {
+  static const std::array methods{
+      euler_method(),
+      verlet_method(),
+      xpbd_method(),
+  };
+  return methods;
+}
+
+const Method* find_method(std::string_view name) {
+  for (const Method& method : all_methods())
+    if (method.name == name) return &method;
+  return nullptr;
+}
+
+const Param* find_param(const Method& method, std::string_view name) {
+  for (const Param& param : method.params)
+    if (param.name == name) return &param;
+  return nullptr;
+}
+
+std::string param_problem(const Param& param, const std::variant<double, std::string>& value) {
+  if (!param.choices.empty()) {
+    const auto* word = std::get_if<std::string>(&value);
+    for (const std::string_view choice : param.choices)
+      if (word != nullptr && *word == choice) return {};
+    return fmt::format("{} must be one of {}", param.name, fmt::join(param.choices, ", "));
+  }
+  const auto* number = std::get_if<double>(&value);
+  if (number == nullptr) return fmt::format("{} must be a number", param.name);
+  if (!(*number >= param.min && *number <= param.max))
+    return fmt::format("{} must be from {} to {}{}{}, not {}", param.name, param.min, param.max,
+                       param.unit.empty() ? "" : " ", param.unit, *number);
+  if (param.whole && *number != std::floor(*number))
+    return fmt::format("{} must be a whole number, not {}", param.name, *number);
+  return {};
+}
+
+namespace {
+
+template <typename Range>
+std::string did_you_mean(std::string_view word, const Range& entries) {
+  std::vector<std::string_view> names;
+  for (const auto& entry : entries) names.push_back(entry.name);
+  const std::string_view nearest = nearest_name(word, names);
+  return nearest.empty() ? fmt::format("; there are {}", fmt::join(names, ", "))
+                         : fmt::format("; did you mean \"{}\"?", nearest);
+}
+
+// The names of the methods that have a capability, for an error that helps on.
+template <typename Can>
+std::string methods_that(Can can) {
+  std::vector<std::string_view> names;
+  for (const Method& method : all_methods())
+    if (can(method.can)) names.push_back(method.name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+}  // namespace
+
+Settings complete_settings(const Settings& given) {
+  const Method* method = find_method(given.method);
+  if (method == nullptr)
+    throw BadRequest(
+        fmt::format("unknown method \"{}\"{}", given.method, did_you_mean(given.method, all_methods())));
+  for (const auto& [name, value] : given.values) {
+    const Param* param = find_param(*method, name);
+    if (param == nullptr)
+      throw BadRequest(fmt::format("method \"{}\" has no parameter \"{}\"{}", method->name, name,
+                                   did_you_mean(name, method->params)));
+    if (const std::string problem = param_problem(*param, value); !problem.empty()) throw BadRequest(problem);
+  }
+  Settings complete = given;
+  for (const Param& param : method->params) {
+    if (param.choices.empty())
+      complete.values.try_emplace(std::string(param.name), param.fallback);
+    else
+      complete.values.try_emplace(std::string(param.name), std::string(param.choices.front()));
+  }
+  return complete;
+}
+
+std::vector<std::string> capability_problems(const Model& model, const Method& method) {
+  bool soft = false, rigid = false, stretch = false, tension = false;
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    (model.links.rigid(i) ? rigid : soft) = true;
+    stretch = stretch || model.links.break_stretch[i] < infinity;
+    tension = tension || model.links.break_tension[i] < infinity;
+  }
+  std::vector<std::string> problems;
+  const auto need = [&](bool needed, bool Capabilities::*can, std::string_view what) {
+    if (needed && !(method.can.*can))
+      problems.push_back(fmt::format("method \"{}\" has no {}; these have: {}", method.name, what,
+                                     methods_that([can](const Capabilities& c) { return c.*can; })));
+  };
+  need(soft, &Capabilities::stiffness, "links with stiffness");
+  need(rigid, &Capabilities::rigid, "rigid links (without stiffness)");
+  need(model.plane.has_value(), &Capabilities::plane, "ground plane");
+  need(model.drag > 0.0, &Capabilities::drag, "drag");
+  need(stretch, &Capabilities::break_stretch, "breaking by stretch");
+  need(tension, &Capabilities::break_tension, "breaking by tension");
+  return problems;
+}
+
+}  // namespace taut

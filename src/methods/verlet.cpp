@@ -1,0 +1,99 @@
+// Störmer–Verlet with mass-weighted relaxation (Jakobsen, Advanced Character Physics, 2001).
+//
+// In its own terms the method keeps the current and the previous position instead of a velocity,
+//   x_{n+1} = 2 x_n − x_{n−1} + h² a,
+// and then moves the ends of each link along it, d = x_a − x_b, until it has its length:
+//   x_a ← x_a − w_a s d,  x_b ← x_b + w_b s d,   s = (|d| − l) / ((w_a + w_b) |d|).
+// The same sequence of positions is had from position and velocity at the same time by half a kick, the
+// drift, the relaxation, v = Δx/h, and half a kick:  x_{n+1} − x_n = (x_n − x_{n−1}) + h (h/2) a + h (h/2) a.
+// That is how it stands here, so that a State means the same for every method. The velocity at the end still
+// holds the last half kick, which the links have not answered yet: a mass at rest shows h·g/2.
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "forces.h"
+#include "link_order.h"
+#include "methods/method.h"
+#include "parameters.h"
+
+namespace taut {
+namespace {
+
+class VerletStepper final : public Stepper {
+ public:
+  VerletStepper(const Model& model, int passes) : model_(model), passes_(passes) {}
+
+  void links_changed(const State& state) override { order_ = coloured_order(model_, state); }
+
+  StepReport step(State& state, double h) override {
+    start_ = state.position;
+    velocity_ = state.velocity;
+    const double start_time = state.time, end_time = state.time + h;
+    kick(model_, state.time, 0.5 * h, state.velocity, velocity_);
+    drift(h, start_, velocity_, state.position);
+    place_pins(model_, end_time, state.position, velocity_);
+    for (int pass = 0; pass < passes_; ++pass) {
+      relax(state.position);
+      if (model_.plane) keep_out_of_plane(*model_.plane, model_.masses, start_, state.position);
+    }
+    StepReport report;
+    report.rounds = passes_;
+    report.link_solves = static_cast<std::int64_t>(order_.links.size()) * passes_;
+    difference_quotient(h, start_, state.position, velocity_);
+    kick(model_, end_time, 0.5 * h, velocity_, velocity_);
+    place_pins(model_, end_time, state.position, velocity_);
+    std::swap(state.velocity, velocity_);
+    state.time = end_time;
+    if (!all_finite(state)) {
+      std::swap(state.position, start_);
+      std::swap(state.velocity, velocity_);
+      state.time = start_time;
+      report.status = StepStatus::not_finite;
+    }
+    return report;
+  }
+
+ private:
+  void relax(Vectors& position) const {
+    const Links& links = model_.links;
+    const std::vector<double>& inverse_mass = model_.masses.inverse_mass;
+    for (const Index link : order_.links) {
+      const Index a = links.a[link], b = links.b[link];
+      const Vec3 difference = position.at(a) - position.at(b);
+      const double distance = difference.norm();
+      if (distance == 0.0) continue;  // no direction to move in
+      const double scale = (distance - links.length[link]) / ((inverse_mass[a] + inverse_mass[b]) * distance);
+      position.add(a, -(inverse_mass[a] * scale) * difference);
+      position.add(b, (inverse_mass[b] * scale) * difference);
+    }
+  }
+
+  const Model& model_;
+  int passes_;
+  OrderedLinks order_;
+  Vectors start_, velocity_;
+};
+
+constexpr std::array params{steps_per_second_param(600.0), passes_param(1.0)};
+
+std::unique_ptr<Stepper> make(const Model& model, const Settings& settings) {
+  return std::make_unique<VerletStepper>(model, static_cast<int>(settings.number("passes")));
+}
+
+}  // namespace
+
+Method verlet_method() {
+  Capabilities can;
+  can.plane = true;
+  can.break_stretch = true;
+  return {"verlet",
+          "Störmer–Verlet with mass-weighted relaxation",
+          "Jakobsen, Advanced Character Physics (2001)",
+          params,
+          can,
+          make};
+}
+
+}  // namespace taut

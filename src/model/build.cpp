@@ -1,0 +1,110 @@
+#include <fmt/format.h>
+
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+
+#include "base/nearest.h"
+#include "builder.h"
+
+namespace taut {
+namespace {
+
+using MassesByName = std::unordered_map<std::string_view, Index>;
+
+std::string nearest_mass(std::string_view name, const Masses& masses) {
+  const std::vector<std::string_view> names(masses.name.begin(), masses.name.end());
+  return std::string(nearest_name(name, names));
+}
+
+// Whether a dotted name fits a pattern of as many parts, where a part * fits any.
+bool fits(std::string_view name, std::string_view pattern) {
+  for (;;) {
+    const std::size_t name_dot = name.find('.'), pattern_dot = pattern.find('.');
+    const std::string_view name_part = name.substr(0, name_dot),
+                           pattern_part = pattern.substr(0, pattern_dot);
+    if (pattern_part != "*" && pattern_part != name_part) return false;
+    if (name_dot == std::string_view::npos || pattern_dot == std::string_view::npos)
+      return name_dot == pattern_dot;
+    name.remove_prefix(name_dot + 1);
+    pattern.remove_prefix(pattern_dot + 1);
+  }
+}
+
+void add_masses(Builder& builder, const std::vector<MassSpec>& specs) {
+  for (const MassSpec& spec : specs) {
+    const Index mass = builder.add_mass(spec.name, spec.position, spec.velocity, spec.mass, spec.pinned);
+    if (spec.pinned) builder.drive(mass, spec.motion);
+  }
+}
+
+void add_links(Builder& builder, const std::vector<LinkSpec>& specs, const MassesByName& by_name,
+               std::vector<Problem>& problems) {
+  for (std::size_t i = 0; i < specs.size(); ++i) {
+    const LinkSpec& spec = specs[i];
+    const auto report = [&](std::string key, std::string message, std::string suggestion = "") {
+      problems.push_back({"link", i, std::move(key), std::move(message), std::move(suggestion)});
+    };
+    const auto a = by_name.find(spec.a), b = by_name.find(spec.b);
+    if (a == by_name.end())
+      report("a", fmt::format("no mass is named \"{}\"", spec.a), nearest_mass(spec.a, builder.model.masses));
+    if (b == by_name.end())
+      report("b", fmt::format("no mass is named \"{}\"", spec.b), nearest_mass(spec.b, builder.model.masses));
+    if (a == by_name.end() || b == by_name.end()) continue;
+    if (a->second == b->second) {
+      report("b", fmt::format("a link can't join \"{}\" to itself", spec.a));
+      continue;
+    }
+    const double distance =
+        (builder.start.position.at(a->second) - builder.start.position.at(b->second)).norm();
+    if (distance == 0.0)
+      report("b", fmt::format("\"{}\" and \"{}\" are at the same point, so their link has no direction",
+                              spec.a, spec.b));
+    else
+      builder.add_link(a->second, b->second, spec.length.value_or(distance), spec.properties);
+  }
+}
+
+void add_loads(Model& model, const std::vector<LoadSpec>& specs, std::vector<Problem>& problems) {
+  for (std::size_t i = 0; i < specs.size(); ++i) {
+    Load load{{}, specs[i].force, specs[i].from, specs[i].to};
+    for (const std::string& pattern : specs[i].masses) {
+      const std::size_t before = load.masses.size();
+      for (std::size_t mass = 0; mass < model.masses.size(); ++mass)
+        if (fits(model.masses.name[mass], pattern)) load.masses.push_back(static_cast<Index>(mass));
+      if (load.masses.size() == before)
+        problems.push_back({"load", i, "masses", fmt::format("no mass is named \"{}\"", pattern),
+                            nearest_mass(pattern, model.masses)});
+    }
+    model.loads.push_back(std::move(load));
+  }
+}
+
+}  // namespace
+
+Built build(const Description& description) {
+  Built built;
+  built.problems = find_problems(description);
+  if (!built.problems.empty()) return built;
+
+  Builder builder;
+  builder.model.gravity = description.gravity;
+  builder.model.drag = description.drag;
+  for (const ChainSpec& chain : description.chains) add_chain(builder, chain);
+  for (const SheetSpec& sheet : description.sheets) add_sheet(builder, sheet);
+  add_masses(builder, description.masses);
+  if (!description.planes.empty()) {
+    const PlaneSpec& plane = description.planes.front();
+    builder.model.plane = Plane{plane.point, plane.normal.normalized(), plane.friction};
+  }
+  MassesByName by_name;
+  for (std::size_t i = 0; i < builder.model.masses.size(); ++i)
+    by_name.emplace(builder.model.masses.name[i], static_cast<Index>(i));
+  add_links(builder, description.links, by_name, built.problems);
+  add_loads(builder.model, description.loads, built.problems);
+  built.model = std::move(builder.model);
+  built.start = std::move(builder.start);
+  return built;
+}
+
+}  // namespace taut

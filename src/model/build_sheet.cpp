@@ -1,0 +1,171 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "builder.h"
+
+namespace taut {
+namespace {
+
+// Largest heading θ_max of a pleat of n links with headings θ_max·sin(2πi/n) whose chords, each of length 1,
+// together reach n/fullness along the rail. Their mean cosine falls from 1 to its first minimum below 0 (that
+// of the Bessel function J₀, near 3.83), so bisection up to there finds every fullness.
+double pleat_heading(int n, double fullness) {
+  double low = 0.0, high = 3.8317;
+  for (int step = 0; step < 200; ++step) {
+    const double middle = 0.5 * (low + high);
+    double reach = 0.0;
+    for (int i = 0; i < n; ++i) reach += std::cos(middle * std::sin(2.0 * std::numbers::pi * i / n));
+    (reach / n > 1.0 / fullness ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+// Position of each column relative to the first, the pleats lying in the plane of the rail and `outward`.
+std::vector<Vec3> column_offsets(const SheetSpec& spec, double fullness, const Vec3& rail,
+                                 const Vec3& outward) {
+  const int links = spec.columns - 1;
+  const int pleat = spec.hooks.every > 0 ? spec.hooks.every : links;
+  const double cloth_width = spec.fullness * rail.norm();
+  const double chord = cloth_width / links;
+  const double largest = fullness > 1.0 ? pleat_heading(pleat, fullness) : 0.0;
+  std::vector<Vec3> offsets{Vec3::Zero()};
+  for (int i = 0; i < links; ++i) {
+    const double heading = largest * std::sin(2.0 * std::numbers::pi * i / pleat);
+    offsets.push_back(offsets.back() +
+                      chord * (std::cos(heading) * rail.normalized() + std::sin(heading) * outward));
+  }
+  return offsets;
+}
+
+bool pinned_by_edge(const SheetSpec& spec, int row, int column) {
+  const bool top = row == 0, bottom = row == spec.rows - 1, left = column == 0,
+             right = column == spec.columns - 1;
+  return std::any_of(spec.pinned.begin(), spec.pinned.end(), [&](const std::string& edge) {
+    return (edge == "top" && top) || (edge == "bottom" && bottom) || (edge == "left" && left) ||
+           (edge == "right" && right) || (edge == "top-left" && top && left) ||
+           (edge == "top-right" && top && right) || (edge == "bottom-left" && bottom && left) ||
+           (edge == "bottom-right" && bottom && right);
+  });
+}
+
+bool is_hook(const SheetSpec& spec, int row, int column) {
+  return row == 0 && spec.hooks.every > 0 && column % spec.hooks.every == 0;
+}
+
+// A hook's way along the rail: its own share of the rail times the share that all hooks span then.
+Path hook_path(const SheetSpec& spec, int column) {
+  const double place = static_cast<double>(column) / (spec.columns - 1);
+  std::vector<Knot> knots;
+  for (const auto& [time, share] : spec.hooks.draw)
+    knots.push_back({time, spec.from + (spec.to - spec.from) * (place * share)});
+  return make_path(std::move(knots));
+}
+
+void add_masses(Builder& builder, const SheetSpec& spec) {
+  const double first_share = spec.hooks.draw.empty() ? 1.0 : spec.hooks.draw.front()[1];
+  const Vec3 rail = spec.to - spec.from;
+  const Vec3 outward = rail.cross(spec.down).normalized();
+  const std::vector<Vec3> offsets = column_offsets(spec, spec.fullness / first_share, rail, outward);
+  const double share = spec.mass / (static_cast<double>(spec.rows) * spec.columns);
+  for (int row = 0; row < spec.rows; ++row) {
+    const Vec3 row_start = spec.from + spec.down * (static_cast<double>(row) / (spec.rows - 1));
+    for (int column = 0; column < spec.columns; ++column) {
+      const bool hook = is_hook(spec, row, column);
+      const Index mass =
+          builder.add_mass(spec.name + "." + std::to_string(row) + "." + std::to_string(column),
+                           row_start + offsets[static_cast<std::size_t>(column)], Vec3::Zero(), share,
+                           hook || pinned_by_edge(spec, row, column));
+      if (hook && !spec.hooks.draw.empty()) builder.drive(mass, hook_path(spec, column));
+    }
+  }
+}
+
+// Adds links between masses and remembers which link joins which two.
+class SheetLinks {
+ public:
+  SheetLinks(Builder& builder, const SheetSpec& spec, Index first_mass)
+      : builder_(builder), spec_(spec), first_mass_(first_mass) {
+    const Vec3 rail = spec.to - spec.from;
+    along_row_ = rail * (spec.fullness / (spec.columns - 1));
+    along_column_ = spec.down / (spec.rows - 1);
+  }
+
+  Index mass(int row, int column) const {
+    return first_mass_ + static_cast<Index>(row) * static_cast<Index>(spec_.columns) +
+           static_cast<Index>(column);
+  }
+
+  // A link from every mass to the one (rows, columns) on, where there is one; its length is that of the flat
+  // cloth.
+  void add_family(int rows, int columns, const LinkProperties& properties) {
+    const double length = (rows * along_column_ + columns * along_row_).norm();
+    for (int row = 0; row + rows < spec_.rows; ++row)
+      for (int column = std::max(0, -columns); column + std::max(0, columns) < spec_.columns; ++column) {
+        const Index a = mass(row, column), b = mass(row + rows, column + columns);
+        by_ends_[{a, b}] = builder_.add_link(a, b, length, properties);
+      }
+  }
+
+  Index between(Index a, Index b) const {
+    const auto found = by_ends_.find(std::minmax(a, b));
+    return found == by_ends_.end() ? no_link : found->second;
+  }
+
+ private:
+  Builder& builder_;
+  const SheetSpec& spec_;
+  Index first_mass_;
+  Vec3 along_row_, along_column_;
+  std::map<std::pair<Index, Index>, Index> by_ends_;
+};
+
+void add_triangle(Model& model, const SheetLinks& links, Index a, Index b, Index c) {
+  model.triangles.push_back({{a, b, c}, {links.between(a, b), links.between(b, c), links.between(c, a)}});
+}
+
+}  // namespace
+
+Counts count(const SheetSpec& spec) {
+  const double rows = spec.rows, columns = spec.columns;
+  double links = rows * (columns - 1) + columns * (rows - 1);
+  if (spec.diagonals) links += 2.0 * (rows - 1) * (columns - 1);
+  if (spec.skip_one) links += rows * (columns - 2) + columns * (rows - 2);
+  return {rows * columns, links, 2.0 * (rows - 1) * (columns - 1)};
+}
+
+void add_sheet(Builder& builder, const SheetSpec& spec) {
+  Sheet sheet;
+  sheet.name = spec.name;
+  sheet.first_mass = static_cast<Index>(builder.model.masses.size());
+  sheet.rows = static_cast<Index>(spec.rows);
+  sheet.columns = static_cast<Index>(spec.columns);
+  sheet.first_triangle = static_cast<Index>(builder.model.triangles.size());
+  add_masses(builder, spec);
+
+  SheetLinks links(builder, spec, sheet.first_mass);
+  links.add_family(0, 1, spec.properties);
+  links.add_family(1, 0, spec.properties);
+  if (spec.diagonals) {
+    links.add_family(1, 1, *spec.diagonals);
+    links.add_family(1, -1, *spec.diagonals);
+  }
+  if (spec.skip_one) {
+    links.add_family(0, 2, *spec.skip_one);
+    links.add_family(2, 0, *spec.skip_one);
+  }
+  for (int row = 0; row + 1 < spec.rows; ++row)
+    for (int column = 0; column + 1 < spec.columns; ++column) {
+      const Index top_left = links.mass(row, column), top_right = links.mass(row, column + 1);
+      const Index bottom_left = links.mass(row + 1, column), bottom_right = links.mass(row + 1, column + 1);
+      add_triangle(builder.model, links, top_left, bottom_left, top_right);
+      add_triangle(builder.model, links, top_right, bottom_left, bottom_right);
+    }
+  sheet.triangle_count = static_cast<Index>(builder.model.triangles.size()) - sheet.first_triangle;
+  builder.model.sheets.push_back(std::move(sheet));
+}
+
+}  // namespace taut

@@ -1,0 +1,48 @@
+#include "builder.h"
+
+#include <utility>
+
+namespace taut {
+
+Index Builder::add_mass(std::string name, const Vec3& position, const Vec3& velocity, double mass,
+                        bool pinned) {
+  const auto index = static_cast<Index>(model.masses.size());
+  model.masses.name.push_back(std::move(name));
+  model.masses.mass.push_back(mass);
+  model.masses.inverse_mass.push_back(pinned ? 0.0 : 1.0 / mass);
+  start.position.push_back(position);
+  start.velocity.push_back(pinned ? Vec3::Zero() : velocity);
+  return index;
+}
+
+Index Builder::add_link(Index a, Index b, double length, const LinkProperties& properties) {
+  const auto index = static_cast<Index>(model.links.size());
+  model.links.a.push_back(a);
+  model.links.b.push_back(b);
+  model.links.length.push_back(length);
+  model.links.stiffness.push_back(properties.stiffness.value_or(infinity));
+  model.links.damping.push_back(properties.damping);
+  model.links.break_stretch.push_back(properties.break_stretch.value_or(infinity));
+  model.links.break_tension.push_back(properties.break_tension.value_or(infinity));
+  if (properties.break_stretch || properties.break_tension) model.breakable_links.push_back(index);
+  start.tension.push_back(0.0);
+  start.broken_at.push_back(infinity);
+  return index;
+}
+
+void Builder::drive(Index mass, const MotionSpec& motion) {
+  if (motion.sinusoid) {
+    const SinusoidSpec& spec = *motion.sinusoid;
+    drive(mass, Sinusoid{start.position.at(mass), spec.amplitude, spec.angular_frequency, spec.phase});
+  } else if (!motion.path.empty()) {
+    drive(mass, make_path(motion.path));
+  }
+}
+
+void Builder::drive(Index mass, Motion motion) {
+  start.position.set(mass, position_at(motion, 0.0));
+  start.velocity.set(mass, velocity_at(motion, 0.0));
+  model.driven_pins.push_back({mass, std::move(motion)});
+}
+
+}  // namespace taut

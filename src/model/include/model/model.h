@@ -1,0 +1,110 @@
+#pragma once
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/motion.h"
+#include "model/vectors.h"
+
+namespace taut {
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// The constant side of masses, one entry a mass in every array.
+struct Masses {
+  std::vector<std::string> name;
+  std::vector<double> mass;          ///< kg
+  std::vector<double> inverse_mass;  ///< 1/kg; 0 when pinned
+
+  std::size_t size() const { return mass.size(); }
+  bool pinned(std::size_t i) const { return inverse_mass[i] == 0.0; }
+};
+
+/// The constant side of links, one entry a link in every array.
+struct Links {
+  std::vector<Index> a, b;
+  std::vector<double> length;         ///< m
+  std::vector<double> stiffness;      ///< N/m; infinity = rigid
+  std::vector<double> damping;        ///< N s/m; 0 for rigid links
+  std::vector<double> break_stretch;  ///< × length; infinity = never
+  std::vector<double> break_tension;  ///< N; infinity = never
+
+  std::size_t size() const { return a.size(); }
+  bool rigid(std::size_t i) const { return stiffness[i] == infinity; }
+  double compliance(std::size_t i) const { return 1.0 / stiffness[i]; }  ///< m/N; 0 = rigid
+};
+
+/// A pinned mass that moves as prescribed.
+struct DrivenPin {
+  Index mass = 0;
+  Motion motion;
+};
+
+/// A force on each of some masses that grows linearly from nothing at `from` to `force` at `to`, and stays.
+struct Load {
+  std::vector<Index> masses;
+  Vec3 force = Vec3::Zero();  ///< N on each mass
+  double from = 0.0;          ///< s
+  double to = 0.0;            ///< s
+
+  /// The share of the full force at a time, 0 to 1.
+  double share(double time) const {
+    return time >= to ? 1.0 : time <= from ? 0.0 : (time - from) / (to - from);
+  }
+};
+
+/// A half-space that masses can't enter; Coulomb friction on its surface.
+struct Plane {
+  Vec3 point = Vec3::Zero();    ///< m
+  Vec3 normal = Vec3::UnitY();  ///< unit length, out of the solid
+  double friction = 0.5;
+};
+
+inline constexpr Index no_link = std::numeric_limits<Index>::max();
+
+/// A triangle of a sheet, drawn while none of its edges that are links is broken.
+struct Triangle {
+  std::array<Index, 3> masses;
+  std::array<Index, 3> links;  ///< link along each edge, no_link where the edge is none
+};
+
+/// Where a sheet's masses and triangles lie in the arrays; masses are row after row.
+struct Sheet {
+  std::string name;
+  Index first_mass = 0;
+  Index rows = 0, columns = 0;
+  Index first_triangle = 0, triangle_count = 0;
+};
+
+/// Where a chain's masses and links lie in the arrays, in order along the chain.
+struct Chain {
+  std::string name;
+  Index first_mass = 0, first_link = 0;
+  Index link_count = 0;
+};
+
+/// Everything about a scene's physics that never changes during a run.
+struct Model {
+  Vec3 gravity{0.0, -9.81, 0.0};  ///< m/s²
+  double drag = 0.0;              ///< 1/s; force −drag·m·v
+  Masses masses;
+  Links links;
+  std::vector<DrivenPin> driven_pins;
+  std::vector<Load> loads;
+  std::optional<Plane> plane;
+  std::vector<Triangle> triangles;
+  std::vector<Sheet> sheets;
+  std::vector<Chain> chains;
+  std::vector<Index> breakable_links;  ///< those with a finite break_stretch or break_tension, in file order
+};
+
+/// Sum of the lengths of all links (m): the size that relative accuracies refer to.
+double total_link_length(const Model& model);
+
+/// The links that a method solves: every one that has at least one free end.
+std::vector<Index> solvable_links(const Model& model);
+
+}  // namespace taut

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "model/model.h"
+#include "model/vectors.h"
+
+namespace taut {
+
+/// Everything about a scene's physics that moves. Positions and velocities hold for the same time.
+struct State {
+  double time = 0.0;  ///< s
+  Vectors position;   ///< m, one a mass
+  Vectors velocity;   ///< m/s, one a mass
+  std::vector<double>
+      tension;  ///< N, one a link, pull positive; 0 until a method that knows it has made a step
+  std::vector<double> broken_at;  ///< s, one a link; infinity while the link is whole
+
+  bool broken(std::size_t link) const { return broken_at[link] != infinity; }
+};
+
+/// Hash of time, positions, velocities and broken links: equal exactly when those are equal bit for bit.
+std::uint64_t state_hash(const State& state);
+
+/// True when time and all positions and velocities are finite.
+bool all_finite(const State& state);
+
+/// Length of a link now (m).
+double link_distance(const Model& model, const Vectors& position, std::size_t link);
+
+/// Puts every pin where it belongs at a time, and gives it the velocity it has there (zero for pins at rest).
+void place_pins(const Model& model, double time, Vectors& position, Vectors& velocity);
+
+/// How positions are found between two steps: along the cubic Hermite curve through both positions and
+/// velocities, or along the straight line (for methods whose velocities are not their positions' derivative).
+enum class Interpolation { hermite, linear };
+
+/// The state between two neighbouring ones (velocities: the derivative of the positions); what broke between
+/// the two counts as broken from its own time on.
+State interpolate(const State& before, const State& after, double time, Interpolation kind);
+
+}  // namespace taut

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "methods/method.h"
+#include "model/description.h"
+#include "model/expectation.h"
+#include "model/view.h"
+
+namespace taut {
+
+/// A scene file, read, checked and built.
+struct Scene {
+  std::string name;  ///< the file's name without folder and ending
+  std::string title;
+  double duration = 6.0;        ///< s
+  std::string accuracy = "1%";  ///< used where solve_given is false
+  bool solve_given = false;  ///< the file has a [solve] with a method, or one was given on the command line
+  Settings settings;         ///< complete for its method
+  Description description;   ///< as read, defaults filled in
+  Model model;
+  State start;
+  Camera camera;
+  Look look;
+  Expectation expectation;
+};
+
+/// What the command line changes in a scene.
+struct SceneOverrides {
+  std::vector<std::string> sets;  ///< "key=value", key a dotted path; a bare name means solve.
+  std::optional<std::string>
+      method;  ///< takes the place of solve.method; the scene's keys of other methods are then left out
+};
+
+/// Reads and builds a scene. Throws BadRequest whose text holds every error of the file, each with file,
+/// line, column, the line, a caret and the nearest right name.
+Scene load_scene(const std::filesystem::path& file, const SceneOverrides& overrides = {});
+
+/// The same from text; `file` is only named in errors.
+Scene parse_scene(const std::string& text, const std::string& file, const SceneOverrides& overrides = {});
+
+/// The scene as TOML with every default filled in; parse_scene() of it gives the same model and start, bit
+/// for bit.
+std::string resolved_toml(const Scene& scene);
+
+/// The reference of every key of a scene file as Markdown, made from the parser's own table.
+std::string key_reference();
+
+}  // namespace taut

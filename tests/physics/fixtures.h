@@ -1,0 +1,124 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "methods/registry.h"
+#include "methods/simulate.h"
+#include "model/description.h"
+
+namespace taut::test {
+
+/// Builds a description that must have no problems.
+inline Built build_valid(const Description& description) {
+  Built built = build(description);
+  for (const Problem& problem : built.problems)
+    ADD_FAILURE() << problem.section << " " << problem.index << " " << problem.key << ": " << problem.message;
+  return built;
+}
+
+inline Settings settings(std::string method, double steps_per_second, double passes = 0.0) {
+  Settings settings{std::move(method), {{"steps_per_second", steps_per_second}}};
+  if (passes > 0.0) settings.values["passes"] = passes;
+  return settings;
+}
+
+/// Simulates for a duration that is a whole number of steps; every step must be solved.
+inline State run(const Built& built, const Settings& settings, double duration) {
+  State state = built.start;
+  const double rate = complete_settings(settings).steps_per_second();
+  const StepReport report = simulate(built.model, state, settings, std::llround(duration * rate));
+  EXPECT_EQ(report.status, StepStatus::done)
+      << failure_sentence(built.model, state, report, settings.method, 1 / rate);
+  return state;
+}
+
+/// The slope of log(error) over log(step size) by least squares: the observed order of convergence.
+inline double observed_order(const std::vector<double>& steps, const std::vector<double>& errors) {
+  double sx = 0, sy = 0, sxx = 0, sxy = 0;
+  const auto n = static_cast<double>(steps.size());
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const double x = std::log(steps[i]), y = std::log(errors[i]);
+    sx += x;
+    sy += y;
+    sxx += x * x;
+    sxy += x * y;
+  }
+  return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+}
+
+/// IFToMM A01: 1 kg on a rigid link of 1 m, released level at rest from x = +1 (here x = −1 turns clockwise
+/// too).
+inline Description pendulum() {
+  Description description;
+  MassSpec hook;
+  hook.name = "hook";
+  hook.pinned = true;
+  MassSpec bob;
+  bob.name = "bob";
+  bob.position = {1.0, 0.0, 0.0};
+  description.masses = {hook, bob};
+  description.links = {LinkSpec{"hook", "bob", 1.0, {}}};
+  return description;
+}
+
+/// A straight level chain, first mass pinned, released at rest.
+inline Description level_chain(int links, double link_length) {
+  Description description;
+  ChainSpec chain;
+  chain.name = "rope";
+  chain.to = {links * link_length, 0.0, 0.0};
+  chain.links = links;
+  chain.mass = links + 1.0;  // 1 kg each
+  chain.pinned = {"first"};
+  description.chains = {chain};
+  return description;
+}
+
+/// Two free masses, 1 kg and 3 kg, on a link of 1 m, spinning and drifting without gravity.
+inline Description spinning_dumbbell() {
+  Description description;
+  description.gravity = Vec3::Zero();
+  MassSpec light, heavy;
+  light.name = "light";
+  light.position = {0.75, 0.0, 0.0};
+  light.velocity = {0.1, 0.75 * 6.0, 0.2};
+  light.mass = 1.0;
+  heavy.name = "heavy";
+  heavy.position = {-0.25, 0.0, 0.0};
+  heavy.velocity = {0.1, -0.25 * 6.0, 0.2};
+  heavy.mass = 3.0;
+  description.masses = {light, heavy};
+  description.links = {LinkSpec{"light", "heavy", 1.0, {}}};
+  return description;
+}
+
+/// The names of all methods that fulfil a condition on their capabilities.
+template <typename Can>
+std::vector<std::string> methods_that(Can can) {
+  std::vector<std::string> names;
+  for (const Method& method : all_methods())
+    if (can(method.can)) names.emplace_back(method.name);
+  return names;
+}
+
+inline std::vector<std::string> every_method() {
+  return methods_that([](const Capabilities&) { return true; });
+}
+
+inline std::vector<std::string> rigid_methods() {
+  return methods_that([](const Capabilities& can) { return can.rigid; });
+}
+
+/// A name that GoogleTest accepts for a parameterised case.
+inline std::string case_name(const ::testing::TestParamInfo<std::string>& info) {
+  std::string name = info.param;
+  for (char& letter : name)
+    if (letter == '-') letter = '_';
+  return name;
+}
+
+}  // namespace taut::test
