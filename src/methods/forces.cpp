@@ -3,10 +3,11 @@
 namespace taut {
 namespace {
 
-void kick_axis(const std::vector<double>& inverse_mass, double gain, double damp,
+// v' = v·keep + gain in the free masses.
+void kick_axis(const std::vector<double>& inverse_mass, double gain, double keep,
                const std::vector<double>& velocity, std::vector<double>& kicked) {
   for (std::size_t i = 0; i < velocity.size(); ++i)
-    kicked[i] = inverse_mass[i] == 0.0 ? velocity[i] : (velocity[i] + gain) * damp;
+    kicked[i] = inverse_mass[i] == 0.0 ? velocity[i] : velocity[i] * keep + gain;
 }
 
 void drift_axis(double h, const std::vector<double>& position, const std::vector<double>& velocity,
@@ -21,14 +22,17 @@ void difference_axis(double rate, const std::vector<double>& from, const std::ve
 
 }  // namespace
 
-void kick(const Model& model, double load_time, double h, const Vectors& velocity, Vectors& kicked) {
+void kick(const Model& model, double load_time, double h, const Vectors& velocity, Vectors& kicked,
+          DragAt drag_at) {
   const std::vector<double>& inverse_mass = model.masses.inverse_mass;
-  const double damp = 1.0 / (1.0 + h * model.drag);
-  kick_axis(inverse_mass, h * model.gravity.x(), damp, velocity.x, kicked.x);
-  kick_axis(inverse_mass, h * model.gravity.y(), damp, velocity.y, kicked.y);
-  kick_axis(inverse_mass, h * model.gravity.z(), damp, velocity.z, kicked.z);
+  const double answer = drag_at == DragAt::end ? 1.0 / (1.0 + h * model.drag) : 1.0;
+  const double keep = drag_at == DragAt::end ? answer : 1.0 - h * model.drag;
+  const Vec3 gain = model.gravity * (h * answer);
+  kick_axis(inverse_mass, gain.x(), keep, velocity.x, kicked.x);
+  kick_axis(inverse_mass, gain.y(), keep, velocity.y, kicked.y);
+  kick_axis(inverse_mass, gain.z(), keep, velocity.z, kicked.z);
   for (const Load& load : model.loads) {
-    const Vec3 impulse = load.force * (load.share(load_time) * h * damp);
+    const Vec3 impulse = load.force * (load.share(load_time) * h * answer);
     if (impulse.isZero(0.0)) continue;
     for (const Index mass : load.masses) kicked.add(mass, impulse * inverse_mass[mass]);
   }

@@ -5,10 +5,15 @@
 
 namespace taut {
 
+/// How drag acts in a kick of h seconds: at the end, v' = (v + h (g + f/m)) / (1 + h·drag), which damps for
+/// every h; or at the start, v' = v (1 − h·drag) + h (g + f/m). Half a kick of the second kind and then one
+/// of the first are the trapezoidal rule, of second order.
+enum class DragAt { end, start };
+
 /// Velocities after gravity, loads and drag have acted for h seconds, in the free masses; pins keep theirs.
-/// Drag is implicit: v' = (v + h (g + f/m)) / (1 + h·drag), which damps for every h. Loads have their
-/// strength at `load_time`.
-void kick(const Model& model, double load_time, double h, const Vectors& velocity, Vectors& kicked);
+/// Loads have their strength at `load_time`. `kicked` may be `velocity`.
+void kick(const Model& model, double load_time, double h, const Vectors& velocity, Vectors& kicked,
+          DragAt drag_at = DragAt::end);
 
 /// moved = position + h·velocity, in every mass.
 void drift(double h, const Vectors& position, const Vectors& velocity, Vectors& moved);

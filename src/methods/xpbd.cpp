@@ -9,10 +9,10 @@
 //     x_a ← x_a + w_a Δλ n,  x_b ← x_b − w_b Δλ n,  λ ← λ + Δλ
 //   v ← Δx/h
 //
-// Drag is implicit in all forces, those of the links too: a mass answers them with w/(1 + h·drag) in place of w.
-// α̃ = α/h² with the compliance α = 1/k; γ = α̃ β̃/h = α c/h with the damping c (β̃ = h² c). A rigid link has α =
-// 0, and so no damping. The tension of a link is −λ/h². Links go colour by colour: in file order, one pass a
-// step without damping runs to infinity on a large sheet.
+// Drag is implicit in all forces, those of the links too: a mass answers them with w/(1 + h·drag) in place of
+// w. α̃ = α/h² with the compliance α = 1/k; γ = α̃ β̃/h = α c/h with the damping c (β̃ = h² c). A rigid link has
+// α = 0, and so no damping. The tension of a link is −λ/h². Links go colour by colour: in file order, one
+// pass a step without damping runs to infinity on a large sheet.
 
 #include <array>
 #include <cmath>

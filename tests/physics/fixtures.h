@@ -20,9 +20,10 @@ inline Built build_valid(const Description& description) {
   return built;
 }
 
+/// Settings of a method; passes are left out where it has none.
 inline Settings settings(std::string method, double steps_per_second, double passes = 0.0) {
   Settings settings{std::move(method), {{"steps_per_second", steps_per_second}}};
-  if (passes > 0.0) settings.values["passes"] = passes;
+  if (passes > 0.0 && find_param(*find_method(settings.method), "passes")) settings.values["passes"] = passes;
   return settings;
 }
 

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "model/model.h"
+#include "model/state.h"
+
+namespace taut {
+
+/// What a solve reads of its links, side by side in the solver's order.
+struct SystemLinks {
+  std::vector<Index> link;                 ///< index in the Model
+  std::vector<Index> a, b;                 ///< masses
+  std::vector<double> weight_a, weight_b;  ///< inverse masses, 1/kg; 0 for pins
+  std::vector<double> length;              ///< m
+  std::vector<double> compliance;          ///< m/N; 0 = rigid
+
+  std::size_t size() const { return link.size(); }
+};
+
+/// Copies what belongs to the given links out of the model.
+SystemLinks gather(const Model& model, std::span<const Index> links);
+
+/// d = x_a − x_b of every link.
+void link_vectors(const SystemLinks& links, const Vectors& position, Vectors& difference);
+
+/// x_a += w_a s_i c_i and x_b −= w_b s_i c_i for every link i: adds W Cᵀ s.
+void apply_impulses(const SystemLinks& links, const Vectors& columns, std::span<const double> strength,
+                    Vectors& target);
+
+/// The linear system of links that pull on shared masses,
+///   A_ij = Σ over shared masses m of ± w_m r_i·c_j (+ where both links hold the mass by the same end), plus
+///   a diagonal,
+/// that is A = R W Cᵀ + diag, with R and C the matrices of link gradients along `rows` and `columns`.
+class LinkMatrix {
+ public:
+  virtual ~LinkMatrix() = default;
+  /// Factorises. False when the matrix is singular beyond what a tiny diagonal addition can mend.
+  virtual bool factor(const Vectors& rows, const Vectors& columns, std::span<const double> diagonal) = 0;
+  /// Solves A x = b in place.
+  virtual void solve(std::vector<double>& b) = 0;
+  /// Whether rows and columns may differ.
+  virtual bool takes_unsymmetric() const = 0;
+};
+
+/// Links in an order that suits their matrix, and that matrix: O(n) elimination where the links form paths or
+/// trees, sparse LDLᵀ elsewhere.
+struct LinkSystem {
+  SystemLinks links;
+  std::unique_ptr<LinkMatrix> matrix;
+};
+
+/// The system of the given links, which must be whole and have a free end each.
+LinkSystem make_link_system(const Model& model, const std::vector<Index>& links);
+
+}  // namespace taut

@@ -1,0 +1,268 @@
+// RATTLE with a direct solve (Andersen, Rattle: a "velocity" version of the SHAKE algorithm, 1983), of second
+// order, and its fourth-order composition (Yoshida, Construction of higher order symplectic integrators,
+// 1990).
+//
+//   v½ = v + (h/2) a(x, v)                     gravity, loads, drag, and links with stiffness as forces
+//   x₁ = x + h v½ − W J₀ᵀ s                    with J₀ the link vectors d₀ at the start of the step, and s
+//   such that g(x₁) = (|d|² − l²)/2 = 0                  every rigid link has its length v½ ← (x₁ − x)/h v₁ =
+//   v½ + (h/2) a(x₁, v₁) − W J₁ᵀ u        with u such that d·ḋ = 0 in every rigid link
+//
+// Positions: Newton's method, (J W J₀ᵀ) Δs = g with J at the present x₁. Along paths and trees that
+// unsymmetric matrix is eliminated directly; in nets the symmetric J₀ W J₀ᵀ stands in for it (chord Newton).
+// It is the matrix of the velocities of the step before, so a net is factorised once a step. Velocities: one
+// linear solve with the symmetric J₁ W J₁ᵀ. The tension at the end of the step is u |d|/(h/2).
+//
+// Correcting along the start-of-step direction makes the map symmetric in time: second order, and no drift of
+// energy. Its price is a limit: light links of mass m under tension T vibrate sideways at up to 2√(T/(m l)),
+// so h must stay below about √(m l/T). A step beyond it does not converge, turns a link by 90° or makes
+// energy, and is reported as such.
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "base/failure.h"
+#include "forces.h"
+#include "link_system.h"
+#include "methods/method.h"
+#include "parameters.h"
+#include "solve_guard.h"
+#include "springs.h"
+
+namespace taut {
+namespace {
+
+constexpr int most_rounds = 40;
+
+class RattleStepper final : public Stepper {
+ public:
+  RattleStepper(const Model& model, int order, double steps_per_second)
+      : model_(model), order_(order), longest_step_(1.0 / steps_per_second), watch_(model) {}
+
+  void links_changed(const State& state) override {
+    std::vector<Index> rigid;
+    for (const Index link : solvable_links(model_))
+      if (model_.links.rigid(link) && !state.broken(link)) rigid.push_back(link);
+    system_ = make_link_system(model_, rigid);
+    no_compliance_.assign(rigid.size(), 0.0);
+    factored_along_.resize(0);
+    springs_ = gather_springs(model_, state);
+    check_springs(state);
+  }
+
+  StepReport step(State& state, double h) override {
+    position_ = state.position;
+    velocity_ = state.velocity;
+    tension_ = state.tension;
+    StepReport report;
+    double time = state.time;
+    const double outer =
+        1.0 / (2.0 - std::cbrt(2.0));  // Yoshida 1990: three steps of order 2 make one of order 4
+    const std::array composition{outer, 1.0 - 2.0 * outer, outer};
+    if (order_ == 2) {
+      sub_step(time, h, report);
+    } else {
+      for (const double share : composition) {
+        sub_step(time, share * h, report);
+        time += share * h;
+        if (report.status != StepStatus::done) return report;
+      }
+    }
+    if (report.status != StepStatus::done) return report;
+    if (watch_.jumped(state, position_, velocity_, tension_, h)) {
+      report.status = StepStatus::energy_jump;
+      return report;
+    }
+    std::swap(state.position, position_);
+    std::swap(state.velocity, velocity_);
+    std::swap(state.tension, tension_);
+    state.time += h;
+    return report;
+  }
+
+ private:
+  void check_springs(const State& state) const {
+    const double frequency = highest_frequency(springs_, state.position);
+    if (frequency * longest_step_ < 2.0) return;
+    throw BadRequest(
+        fmt::format("method rattle treats links with stiffness as forces, and the stiffest vibrate at {:.4g} "
+                    "rad/s: that needs more "
+                    "than {:.0f} steps_per_second, or method newton, which takes any stiffness",
+                    frequency, 0.5 * frequency));
+  }
+
+  // One step of order 2 on position_ and velocity_.
+  void sub_step(double time, double h, StepReport& report) {
+    const double half = 0.5 * h, end_time = time + h;
+    const SystemLinks& links = system_.links;
+    link_vectors(links, position_, start_direction_);
+    start_position_ = position_;
+
+    half_velocity_ = velocity_;
+    kick(model_, time, half, velocity_, half_velocity_, DragAt::start);
+    kick_by_springs(springs_, half, position_, velocity_, half_velocity_, spring_tension_);
+    drift(h, start_position_, half_velocity_, position_);
+    place_pins(model_, end_time, position_, half_velocity_);
+    if (!solve_positions(report)) return;
+
+    difference_quotient(h, start_position_, position_, velocity_);
+    place_pins(model_, end_time, position_, velocity_);
+    kick_at_end(end_time, half);
+    solve_velocities(half, report);
+  }
+
+  // Springs' damping needs the velocity at the end: a first guess at it is enough for second order.
+  void kick_at_end(double end_time, double half) {
+    if (!springs_.empty()) {
+      half_velocity_ = velocity_;
+      kick_by_springs(springs_, half, position_, velocity_, half_velocity_, spring_tension_);
+      kick(model_, end_time, half, half_velocity_, half_velocity_);
+      kick_by_springs(springs_, half, position_, half_velocity_, velocity_, spring_tension_);
+      for (std::size_t i = 0; i < spring_tension_.size(); ++i)
+        tension_[springs_.links.link[i]] = spring_tension_[i];
+    }
+    kick(model_, end_time, half, velocity_, velocity_);
+  }
+
+  bool solve_positions(StepReport& report) {
+    const SystemLinks& links = system_.links;
+    const double tolerance = length_tolerance(links, position_);
+    residual_.resize(links.size());
+    for (int round = 0; round < most_rounds; ++round) {
+      link_vectors(links, position_, direction_);
+      if (!measure_residual(report)) return false;
+      if (worst_ <= tolerance) return true;
+      if (!factor_for_positions(report)) {
+        report.status = StepStatus::factorisation_failed;
+        return false;
+      }
+      system_.matrix->solve(residual_);
+      report.rounds += 1;
+      report.link_solves += static_cast<std::int64_t>(links.size());
+      for (double& value : residual_) value = -value;
+      apply_impulses(links, start_direction_, residual_, position_);
+    }
+    report.status = StepStatus::not_converged;
+    return false;
+  }
+
+  // g of every link, the largest |g|/l² and its link; false where a link has lost its direction or a number
+  // its finiteness.
+  bool measure_residual(StepReport& report) {
+    const SystemLinks& links = system_.links;
+    worst_ = 0.0;
+    double lost = infinity;  // least d·d₀/l²
+    std::size_t worst_link = 0, lost_link = 0;
+    for (std::size_t i = 0; i < links.size(); ++i) {
+      const double squared = links.length[i] * links.length[i];
+      const double x = direction_.x[i], y = direction_.y[i], z = direction_.z[i];
+      residual_[i] = 0.5 * (x * x + y * y + z * z - squared);
+      const double along = x * start_direction_.x[i] + y * start_direction_.y[i] + z * start_direction_.z[i];
+      const double size = std::abs(residual_[i]) / squared;
+      if (!(size <= worst_)) {
+        worst_ = size;
+        worst_link = i;
+      }
+      if (!(along / squared >= lost)) {
+        lost = along / squared;
+        lost_link = i;
+      }
+    }
+    if (links.size() == 0) return true;
+    if (!std::isfinite(worst_)) {
+      report.status = StepStatus::not_finite;
+    } else if (lost <= 0.0) {
+      report.status = StepStatus::direction_lost;
+      worst_link = lost_link;
+    }
+    report.worst_link = links.link[worst_link];
+    return report.status == StepStatus::done;
+  }
+
+  bool factor_for_positions(StepReport& report) {
+    if (system_.matrix->takes_unsymmetric()) {
+      ++report.factorisations;
+      return system_.matrix->factor(direction_, start_direction_, no_compliance_);
+    }
+    return factor_symmetric(start_direction_, report);
+  }
+
+  // Factorises J W Jᵀ unless that is what the matrix already holds.
+  bool factor_symmetric(const Vectors& along, StepReport& report) {
+    if (!system_.matrix->takes_unsymmetric() && factored_along_ == along) return true;
+    ++report.factorisations;
+    factored_along_.resize(0);
+    if (!system_.matrix->factor(along, along, no_compliance_)) return false;
+    if (!system_.matrix->takes_unsymmetric()) factored_along_ = along;
+    return true;
+  }
+
+  void solve_velocities(double half, StepReport& report) {
+    const SystemLinks& links = system_.links;
+    link_vectors(links, position_, direction_);
+    if (!factor_symmetric(direction_, report)) {
+      report.status = StepStatus::factorisation_failed;
+      return;
+    }
+    for (std::size_t i = 0; i < links.size(); ++i)
+      residual_[i] = direction_.at(i).dot(velocity_.at(links.a[i]) - velocity_.at(links.b[i]));
+    system_.matrix->solve(residual_);
+    report.link_solves += static_cast<std::int64_t>(links.size());
+    for (std::size_t i = 0; i < links.size(); ++i) {
+      tension_[links.link[i]] = residual_[i] * links.length[i] / half;
+      residual_[i] = -residual_[i];
+    }
+    apply_impulses(links, direction_, residual_, velocity_);
+  }
+
+  const Model& model_;
+  int order_;
+  double longest_step_;  // s
+  EnergyWatch watch_;
+  LinkSystem system_;
+  Springs springs_;
+  std::vector<double> no_compliance_;
+  Vectors factored_along_;  // directions whose symmetric matrix a net's factor holds
+  Vectors start_position_, position_, velocity_, half_velocity_;
+  Vectors start_direction_, direction_;
+  std::vector<double> residual_, tension_, spring_tension_;
+  double worst_ = 0.0;
+};
+
+constexpr std::array<std::string_view, 2> orders{"2", "4"};
+constexpr std::array params{
+    steps_per_second_param(600.0),
+    Param{"order", "", 0, 0, 0, false, orders,
+          "order of accuracy; 4 makes three steps of order 2 a step, the middle one backwards"},
+};
+
+std::unique_ptr<Stepper> make(const Model& model, const Settings& settings) {
+  const int order = settings.choice("order") == "4" ? 4 : 2;
+  bool damped = model.drag > 0.0 || !model.breakable_links.empty();
+  for (const double damping : model.links.damping) damped = damped || damping > 0.0;
+  if (order == 4 && damped)
+    throw BadRequest(
+        "method rattle of order 4 has a step that runs backwards in time, which drag, damping and breaking "
+        "links do not: "
+        "use order 2 for this scene");
+  return std::make_unique<RattleStepper>(model, order, settings.steps_per_second());
+}
+
+}  // namespace
+
+Method rattle_method() {
+  Capabilities can;
+  can.stiffness = true;
+  can.break_stretch = true;
+  can.break_tension = true;
+  return {"rattle",
+          "exact link lengths and link speeds, solved directly, order 2 or 4",
+          "Andersen, Rattle (1983); Yoshida (1990)",
+          params,
+          can,
+          make};
+}
+
+}  // namespace taut
