@@ -211,7 +211,7 @@ class RattleStepper final : public Stepper {
     system_.matrix->solve(residual_);
     report.link_solves += static_cast<std::int64_t>(links.size());
     for (std::size_t i = 0; i < links.size(); ++i) {
-      tension_[links.link[i]] = residual_[i] * links.length[i] / half;
+      tension_[links.link[i]] = residual_[i] * links.length[i] * (1.0 + half * model_.drag) / half;
       residual_[i] = -residual_[i];
     }
     apply_impulses(links, direction_, residual_, velocity_);

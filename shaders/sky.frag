@@ -1,0 +1,15 @@
+#version 330 core
+// From the horizon's colour to the sky's.
+#include "lighting.glsl"
+
+uniform vec3 right, down;  // half the picture's width and height one metre away, as vectors (m)
+
+in vec2 at;
+
+out vec4 pixel;
+
+void main() {
+  vec3 sight = normalize(forward.xyz + at.x * right + at.y * down);
+  float height = smoothstep(0.0, 0.45, sight.y);
+  pixel = vec4(mix(horizon.rgb, sky.rgb, height), 1.0);
+}

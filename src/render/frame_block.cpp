@@ -1,0 +1,115 @@
+#include "frame_block.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "palette.h"
+#include "view_matrices.h"
+
+namespace taut {
+namespace {
+
+std::array<glm::vec3, 8> corners(const Bounds& bounds) {
+  std::array<glm::vec3, 8> all;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    all[i] = {(i & 1U) != 0 ? bounds.high.x : bounds.low.x, (i & 2U) != 0 ? bounds.high.y : bounds.low.y,
+              (i & 4U) != 0 ? bounds.high.z : bounds.low.z};
+  }
+  return all;
+}
+
+/// The nearest of …, 0.1, 0.25, 0.5, 1, 2.5, … at or below a length.
+float round_spacing(float length) {
+  const float decade = std::pow(10.0F, std::floor(std::log10(length)));
+  const float share = length / decade;
+  return decade * (share >= 5.0F ? 5.0F : share >= 2.5F ? 2.5F : 1.0F);
+}
+
+/// The next of a ladder of sizes, eight a doubling: a map that changes size rarely doesn't shimmer.
+float rung_above(float length) {
+  return std::exp2(std::ceil(8.0F * std::log2(length)) / 8.0F);
+}
+
+}  // namespace
+
+Bounds bounds_of(const State& state, double margin) {
+  const auto range = [margin](const std::vector<double>& values) {
+    if (values.empty()) return glm::vec2(0.0F);
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    return glm::vec2(*low - margin, *high + margin);
+  };
+  const glm::vec2 x = range(state.position.x), y = range(state.position.y), z = range(state.position.z);
+  return {{x[0], y[0], z[0]}, {x[1], y[1], z[1]}};
+}
+
+FrameBlock camera_block(const CameraPose& pose, Size size, int samples, const Bounds& bounds,
+                        const Look& look) {
+  const glm::vec3 eye = to_glm(pose.eye);
+  const glm::vec3 sight = to_glm(pose.target) - eye;
+  const float reach = std::max(glm::length(sight), 1e-6F);
+  const glm::vec3 forward = sight / reach;
+  const float fog_start = 1.1F * reach, fog_end = 3.6F * reach;
+  float far = 1.6F * fog_end;
+  for (const glm::vec3& corner : corners(bounds)) {
+    far = std::max(far, 1.1F * glm::dot(corner - eye, forward));
+  }
+  const float near = 0.01F * reach;
+  const float half_angle = 0.5F * glm::radians(static_cast<float>(pose.field_of_view));
+  const Palette colours = palette(look.theme);
+
+  FrameBlock block;
+  block.view_projection = flipped_projection(pose, size, near, far) * view_matrix(pose);
+  block.eye = glm::vec4(eye, 1.0F);
+  block.forward = glm::vec4(forward, 0.0F);
+  block.to_light = glm::vec4(direction_to_light(), 0.0F);
+  block.light = glm::vec4(colours.light, 1.0F);
+  block.ambient_below = glm::vec4(colours.ambient_below, 1.0F);
+  block.ambient_above = glm::vec4(colours.ambient_above, 1.0F);
+  block.horizon = glm::vec4(colours.horizon, 1.0F);
+  block.sky = glm::vec4(colours.sky, 1.0F);
+  block.ground = glm::vec4(colours.ground, colours.grid_strength);
+  block.fog = {fog_start, fog_end, round_spacing(reach / 16.0F), static_cast<float>(look.ground_height)};
+  block.view = {2.0F * std::tan(half_angle) / static_cast<float>(size.height), static_cast<float>(samples),
+                0.0F, 0.0F};
+  return block;
+}
+
+FrameBlock light_block(const Bounds& bounds, int map_size) {
+  const glm::vec3 to_light = direction_to_light();
+  const glm::mat4 turn = glm::lookAt(glm::vec3(0.0F), -to_light, glm::vec3(0, 1, 0));
+  glm::vec3 low(1e30F), high(-1e30F);
+  for (const glm::vec3& corner : corners(bounds)) {
+    const glm::vec3 seen = turn * glm::vec4(corner, 1.0F);
+    low = glm::min(low, seen);
+    high = glm::max(high, seen);
+  }
+  // Square, of few sizes, and moved by whole texels only, so that edges of shadows stay still.
+  const float map_width = 1.02F * rung_above(std::max({high.x - low.x, high.y - low.y, 1e-3F}));
+  const float texel = map_width / static_cast<float>(map_size);
+  const glm::vec2 middle = glm::floor(0.5F * glm::vec2(low + high) / texel) * texel;
+  const float half = 0.5F * map_width;
+  const float slack = 0.01F * (high.z - low.z) + 4.0F * texel;
+  const glm::mat4 projection = glm::ortho(middle.x - half, middle.x + half, middle.y - half, middle.y + half,
+                                          -high.z - slack, -low.z + slack);
+  FrameBlock block;
+  block.view_projection = projection * turn;
+  // Far enough that lines of sight are as good as parallel to the light.
+  const glm::vec3 centre = 0.5F * (bounds.low + bounds.high);
+  block.eye = glm::vec4(centre + to_light * (1000.0F * map_width), 1.0F);
+  block.forward = glm::vec4(-to_light, 0.0F);
+  block.to_light = glm::vec4(to_light, 0.0F);
+  block.shadow = {0.0F, 1.0F / static_cast<float>(map_size), texel, 0.0F};
+  block.view = {0.0F, 1.0F, 0.0F, 0.0F};
+  return block;
+}
+
+void add_shadow(FrameBlock& camera, const FrameBlock& light) {
+  const glm::mat4 to_unit =
+      glm::translate(glm::mat4(1.0F), glm::vec3(0.5F)) * glm::scale(glm::mat4(1.0F), glm::vec3(0.5F));
+  camera.shadow_matrix = to_unit * light.view_projection;
+  camera.shadow = {1.0F, light.shadow.y, light.shadow.z, 0.0F};
+}
+
+}  // namespace taut

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "model/model.h"
+#include "model/state.h"
+#include "model/view.h"
+
+namespace taut {
+
+/// Where the picture is taken from at one moment.
+struct CameraPose {
+  Vec3 eye{0.0, 1.0, 5.0};      ///< m
+  Vec3 target{0.0, 1.0, 0.0};   ///< m
+  double field_of_view = 38.0;  ///< degrees, vertical
+};
+
+/// The camera at the time of `now`: its eye turned about the vertical through the target (counter-clockwise
+/// seen from above) by orbit × time, then both displaced as far as the followed mass has moved since `start`.
+/// Throws BadRequest when the mass to follow does not exist.
+CameraPose camera_pose(const Camera& camera, const Model& model, const State& start, const State& now);
+
+/// Where a point of space appears in a picture, in pixels from its top left corner; z is the distance from
+/// the eye along the line of sight (m), negative behind the eye.
+Vec3 picture_position(const CameraPose& pose, int width, int height, const Vec3& point);
+
+}  // namespace taut

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace taut {
+
+/// A way to an OpenGL 3.3 core context without a display.
+enum class GlBackend { automatic, osmesa, egl };
+
+/// The back end called "auto", "osmesa" or "egl"; nothing for any other name.
+std::optional<GlBackend> gl_backend_named(std::string_view name);
+
+/// An OpenGL context that draws into framebuffer objects only. It may move between threads, as long as it is
+/// current in one at a time.
+class GlContext {
+ public:
+  using Function = void (*)();
+
+  GlContext() = default;
+  GlContext(const GlContext&) = delete;
+  GlContext& operator=(const GlContext&) = delete;
+  virtual ~GlContext() = default;
+
+  /// Makes this the calling thread's context. Throws RunFailure when that fails.
+  virtual void make_current() = 0;
+
+  /// Leaves the calling thread without a context, so that another may take this one.
+  virtual void release() = 0;
+
+  /// Address of an OpenGL function by its name ("glClear"); null when there is none.
+  virtual Function function(const char* name) const = 0;
+
+  /// The back end's name: "osmesa" or "egl".
+  virtual std::string name() const = 0;
+};
+
+/// Makes a context. `automatic` takes the first back end that works, OSMesa before EGL. Throws RunFailure,
+/// with the reasons and the known back ends, when none does.
+std::unique_ptr<GlContext> make_gl_context(GlBackend backend = GlBackend::automatic);
+
+/// Keeps a context current in this thread for as long as this object lives.
+class CurrentContext {
+ public:
+  explicit CurrentContext(GlContext& context) : context_(context) { context_.make_current(); }
+  CurrentContext(const CurrentContext&) = delete;
+  CurrentContext& operator=(const CurrentContext&) = delete;
+  ~CurrentContext() { context_.release(); }
+
+ private:
+  GlContext& context_;
+};
+
+}  // namespace taut

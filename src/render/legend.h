@@ -1,0 +1,14 @@
+#pragma once
+
+#include "base/image.h"
+#include "colour_scale.h"
+#include "model/view.h"
+#include "render/text.h"
+
+namespace taut {
+
+/// Draws what the colours mean into the picture's lower left corner: the quantity, its scale, numbers and
+/// unit.
+void draw_legend(Image& image, const Font& font, ColourBy by, const ColourScale& scale);
+
+}  // namespace taut

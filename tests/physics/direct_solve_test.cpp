@@ -1,0 +1,193 @@
+// Link lengths to machine precision, on chains of every length, trees, nets, and the cases that are hard.
+
+#include "fixtures.h"
+#include "measure/exact.h"
+#include "measure/measures.h"
+
+namespace taut::test {
+namespace {
+
+struct Watched {
+  State state;
+  StepReport report;
+  double largest_strain = 0.0;  // over all steps
+};
+
+Watched run_watched(const Built& built, const Settings& how, int steps) {
+  Watched run{built.start, {}, 0.0};
+  for (int step = 0; step < steps; ++step) {
+    run.report.add(simulate(built.model, run.state, how, 1));
+    EXPECT_EQ(run.report.status, StepStatus::done)
+        << failure_sentence(built.model, run.state, run.report, how.method, 1 / how.steps_per_second());
+    if (run.report.status != StepStatus::done) break;
+    run.largest_strain = std::max(run.largest_strain, link_strain(built.model, run.state).largest);
+  }
+  return run;
+}
+
+class DirectMethods : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(DirectMethods, ChainsHoldTheirLengths) {
+  for (const int links : {10, 100, 1000, 10000}) {
+    const Built built = build_valid(level_chain(links, 0.1));
+    State state = built.start;
+    const StepReport report = simulate(built.model, state, settings(GetParam(), 2400.0), 200);
+    ASSERT_EQ(report.status, StepStatus::done) << links << " links";
+    EXPECT_LE(link_strain(built.model, state).largest, 1e-10) << links << " links";
+  }
+}
+
+TEST_P(DirectMethods, HeavyTipsHoldTheirLengths) {
+  for (const double ratio : {1.0, 100.0, 10000.0}) {
+    Description description = level_chain(99, 1.0 / 99.0);
+    description.chains[0].last_mass = ratio;
+    const Watched watched = run_watched(build_valid(description), settings(GetParam(), 2400.0), 200);
+    EXPECT_LE(watched.largest_strain, 1e-10)
+        << "ratio " << ratio << ", " << watched.report.halvings << " halvings";
+  }
+}
+
+// A hub with three arms of unequal links and masses, hung from one arm: a tree, not a path.
+Description mobile() {
+  Description description;
+  const auto add_mass = [&](std::string name, Vec3 position, double mass, bool pinned = false) {
+    MassSpec spec;
+    spec.name = std::move(name);
+    spec.position = position;
+    spec.mass = mass;
+    spec.pinned = pinned;
+    description.masses.push_back(spec);
+  };
+  add_mass("hook", {0.0, 0.0, 0.0}, 1.0, true);
+  add_mass("hub", {0.6, -0.2, 0.1}, 0.7);
+  add_mass("left", {0.5, -0.9, 0.4}, 1.3);
+  add_mass("right", {1.4, -0.3, -0.2}, 0.4);
+  add_mass("lower", {1.6, -0.9, -0.5}, 2.0);
+  add_mass("back", {0.7, -0.5, -0.6}, 0.9);
+  for (const auto& [a, b] :
+       {std::pair{"hook", "hub"}, {"hub", "left"}, {"right", "hub"}, {"right", "lower"}, {"back", "hub"}})
+    description.links.push_back(LinkSpec{a, b, std::nullopt, {}});
+  return description;
+}
+
+TEST_P(DirectMethods, TreesHoldTheirLengthsHungAndFree) {
+  for (const bool hung : {true, false}) {
+    Description description = mobile();
+    description.masses[0].pinned = hung;
+    if (!hung) description.masses[2].velocity = {1.0, 2.0, 3.0};
+    const Watched watched = run_watched(build_valid(description), settings(GetParam(), 1000.0), 1000);
+    EXPECT_LE(watched.largest_strain, 1e-10) << (hung ? "hung" : "free");
+  }
+}
+
+// A tree and a net differ only in how the same system is solved: closing a ring with a link that never pulls
+// changes nothing.
+TEST_P(DirectMethods, TreesAndNetsAgree) {
+  const Built tree = build_valid(mobile());
+  Description ringed = mobile();
+  // A second tree hung from two pins counts as a net; it does not touch the first.
+  for (const auto& [name, x, pinned] :
+       {std::tuple{"p", 5.0, true}, {"q", 5.5, false}, {"r", 6.0, true}, {"s", 5.5, false}}) {
+    MassSpec spec;
+    spec.name = name;
+    spec.position = {x, name[0] == 'q' ? -0.5 : name[0] == 's' ? -1.5 : 0.0, 0.0};
+    spec.pinned = pinned;
+    ringed.masses.push_back(spec);
+  }
+  for (const auto& [a, b] : {std::pair{"p", "q"}, {"q", "r"}, {"q", "s"}})
+    ringed.links.push_back(LinkSpec{a, b, std::nullopt, {}});
+  const Built net = build_valid(ringed);
+  const State in_tree = run(tree, settings(GetParam(), 1000.0), 0.5);
+  const State in_net = run(net, settings(GetParam(), 1000.0), 0.5);
+  for (std::size_t i = 0; i < in_tree.position.size(); ++i)
+    EXPECT_LT((in_tree.position.at(i) - in_net.position.at(i)).norm(), 1e-9) << "mass " << i;
+}
+
+// Rigid diagonals make a sheet's links redundant: the system is singular and must be solved all the same.
+TEST_P(DirectMethods, RedundantRigidDiagonalsAreSolved) {
+  Description description;
+  SheetSpec sheet;
+  sheet.name = "plate";
+  sheet.rows = sheet.columns = 4;
+  sheet.to = {0.3, 0.0, 0.0};
+  sheet.down = {0.0, -0.3, 0.0};
+  sheet.pinned = {"top-left"};
+  sheet.diagonals = LinkProperties{};
+  description.sheets = {sheet};
+  const Watched watched = run_watched(build_valid(description), settings(GetParam(), 1000.0), 300);
+  EXPECT_LE(watched.largest_strain, 1e-9);
+}
+
+// A straight row pulled taut between two pins has one link more than its directions can tell apart.
+TEST_P(DirectMethods, TautRowBetweenTwoPinsIsSolvedOrRefused) {
+  Description description = level_chain(6, 0.2);
+  description.chains[0].pinned = {"first", "last"};
+  description.gravity = Vec3::Zero();
+  const Built built = build_valid(description);
+  const Watched watched = run_watched(built, settings(GetParam(), 600.0), 60);
+  EXPECT_LT(position_error(watched.state, built.start), 1e-9);
+}
+
+// At rest under drag the chain between two pins has its exact shape and tensions. (newton's rest differs from
+// it by h²: its corrections follow the directions of the masses before they are put back, 8e-6 m at 600
+// steps/s.)
+TEST_P(DirectMethods, ChainBetweenTwoPinsRestsInItsExactShape) {
+  Description description = level_chain(20, 0.1);
+  description.chains[0].to = {1.2, 0.0, 0.0};
+  description.chains[0].length = 2.0;
+  description.chains[0].pinned = {"first", "last"};
+  description.drag = 6.0;
+  const Built built = build_valid(description);
+  const State end = run(built, settings(GetParam(), 2400.0), 12.0);
+  const HangingChain exact = hanging_chain_at_rest(Vec3::Zero(), {1.2, 0.0, 0.0}, 20, 0.1, 0.0, 9.81);
+  for (std::size_t i = 0; i < exact.positions.size(); ++i)
+    EXPECT_LT((end.position.at(i) - exact.positions[i]).norm(), 1e-6) << "mass " << i;
+  for (std::size_t i = 0; i < exact.tensions.size(); ++i)
+    EXPECT_NEAR(end.tension[i], exact.tensions[i], 1e-3 * exact.tensions[i]) << "link " << i;
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, DirectMethods, ::testing::Values("rattle", "newton"), case_name);
+
+// 1000 masses over 1 m, the last one 100 times heavier than the others, released level, for 5 s.
+TEST(Newton, ThousandLightMassesWithAHeavyTipHold) {
+  Description description = level_chain(999, 1.0 / 999.0);
+  description.chains[0].last_mass = 100.0;
+  const Watched watched = run_watched(build_valid(description), settings("newton", 960.0), 4800);
+  EXPECT_LE(watched.largest_strain, 1e-8) << watched.report.halvings << " halvings";
+}
+
+// Springs too stiff for the step are refused before the run, with the method that takes them.
+TEST(Rattle, RefusesSpringsTooStiffForTheStep) {
+  Description description = level_chain(10, 0.1);
+  description.chains[0].properties.stiffness = 1e6;  // 2√(k/m) = 2000 rad/s
+  const Built built = build_valid(description);
+  State state = built.start;
+  for (const char* method : {"rattle", "shake"}) {
+    try {
+      simulate(built.model, state, settings(method, 600.0), 1);
+      ADD_FAILURE() << method << " took it";
+    } catch (const std::exception& error) {
+      EXPECT_NE(std::string(error.what()).find("method newton"), std::string::npos) << error.what();
+    }
+    EXPECT_EQ(simulate(built.model, state, settings(method, 2400.0), 1).status, StepStatus::done);
+  }
+}
+
+// A step that can't be solved leaves the state as it was and names the link.
+TEST(Guard, FailureKeepsTheStateAndNamesTheLink) {
+  Description description = level_chain(4, 0.1);
+  description.chains[0].pinned = {"first", "last"};
+  description.chains[0].last_motion.path = {{0.0, {0.4, 0.0, 0.0}}, {1.0, {0.8, 0.0, 0.0}}};
+  const Built built = build_valid(description);
+  for (const char* method : {"rattle", "newton"}) {
+    State state = built.start;
+    const StepReport report = simulate(built.model, state, settings(method, 100.0), 100);
+    EXPECT_NE(report.status, StepStatus::done) << "no chain reaches pins farther apart than it is long";
+    EXPECT_TRUE(all_finite(state));
+    const std::string sentence = failure_sentence(built.model, state, report, method, 0.01);
+    EXPECT_NE(sentence.find("rope."), std::string::npos) << sentence;
+  }
+}
+
+}  // namespace
+}  // namespace taut::test

@@ -1,0 +1,84 @@
+#include "render/camera.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "base/failure.h"
+#include "small_scenes.h"
+
+namespace taut {
+namespace {
+
+using testing::row_of_masses;
+
+void expect_near(const Vec3& expected, const Vec3& actual) {
+  EXPECT_NEAR(expected.x(), actual.x(), 1e-5);
+  EXPECT_NEAR(expected.y(), actual.y(), 1e-5);
+  EXPECT_NEAR(expected.z(), actual.z(), 1e-5);
+}
+
+TEST(Camera, StaysWhereItIsPut) {
+  const Built scene = row_of_masses({{0, 0, 0}, {1, 0, 0}});
+  State later = scene.start;
+  later.time = 7.0;
+  const Camera camera{.eye = {1, 2, 3}, .target = {0, 1, 0}, .field_of_view = 50.0, .follow = {}};
+  const CameraPose pose = camera_pose(camera, scene.model, scene.start, later);
+  expect_near({1, 2, 3}, pose.eye);
+  expect_near({0, 1, 0}, pose.target);
+  EXPECT_DOUBLE_EQ(50.0, pose.field_of_view);
+}
+
+TEST(Camera, OrbitsCounterClockwiseSeenFromAbove) {
+  const Built scene = row_of_masses({{0, 0, 0}, {1, 0, 0}});
+  State later = scene.start;
+  later.time = 3.0;
+  const Camera camera{.eye = {1, 2, 4}, .target = {1, 1, 0}, .orbit = 30.0, .follow = {}};
+  const CameraPose pose = camera_pose(camera, scene.model, scene.start, later);
+  // A quarter turn takes +z to +x, seen from above (y towards the viewer) counter-clockwise.
+  expect_near({5, 2, 0}, pose.eye);
+  expect_near({1, 1, 0}, pose.target);
+}
+
+TEST(Camera, FollowsAMassAsFarAsItHasMoved) {
+  const Built scene = row_of_masses({{0, 0, 0}, {1, 0, 0}});
+  State later = scene.start;
+  later.position.set(1, {1.5, -2.0, 0.25});
+  const Camera camera{.eye = {0, 1, 5}, .target = {0, 1, 0}, .follow = "m1"};
+  const CameraPose pose = camera_pose(camera, scene.model, scene.start, later);
+  expect_near({0.5, -1.0, 5.25}, pose.eye);
+  expect_near({0.5, -1.0, 0.25}, pose.target);
+}
+
+TEST(Camera, CannotFollowAMassThatIsNotThere) {
+  const Built scene = row_of_masses({{0, 0, 0}, {1, 0, 0}});
+  const Camera camera{.follow = "m9"};
+  EXPECT_THROW(camera_pose(camera, scene.model, scene.start, scene.start), BadRequest);
+}
+
+TEST(PicturePosition, TargetIsInTheMiddle) {
+  expect_near({640, 360, 5}, picture_position(testing::straight_on(), 1280, 720, {0, 0, 0}));
+}
+
+TEST(PicturePosition, UpperEdgeIsHalfTheFieldOfViewAway) {
+  const double height = 5.0 * std::tan(19.0 * std::numbers::pi / 180.0);
+  const Vec3 top = picture_position(testing::straight_on(), 1280, 720, {0, height, 0});
+  EXPECT_NEAR(640.0, top.x(), 1e-3);
+  EXPECT_NEAR(0.0, top.y(), 1e-3);
+}
+
+TEST(PicturePosition, RightIsRight) {
+  EXPECT_GT(picture_position(testing::straight_on(), 1280, 720, {1, 0, 0}).x(), 640.0);
+}
+
+TEST(PicturePosition, LookingStraightDownIsDefined) {
+  const CameraPose down{{0, 5, 0}, {0, 0, 0}, 38.0};
+  const Vec3 middle = picture_position(down, 200, 200, {0, 0, 0});
+  EXPECT_NEAR(100.0, middle.x(), 1e-3);
+  EXPECT_NEAR(100.0, middle.y(), 1e-3);
+  EXPECT_LT(picture_position(down, 200, 200, {0, 0, -1}).y(), 100.0);
+}
+
+}  // namespace
+}  // namespace taut

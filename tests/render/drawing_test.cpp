@@ -1,0 +1,257 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/failure.h"
+#include "render/camera.h"
+#include "render/renderer.h"
+#include "small_scenes.h"
+
+namespace taut {
+namespace {
+
+using testing::bare_look;
+using testing::channel_at;
+using testing::cut_out;
+using testing::draw_once;
+using testing::row_of_masses;
+using testing::straight_on;
+using testing::upright_sheet;
+
+constexpr Size size{320, 180};
+
+/// The line of sight through a place in the picture of straight_on().
+Vec3 sight_through(double x, double y) {
+  const double metre = 2.0 * std::tan(19.0 * std::numbers::pi / 180.0) / size.height;
+  return Vec3((x - 0.5 * size.width) * metre, (0.5 * size.height - y) * metre, -1.0).normalized();
+}
+
+double distance_to_sight(const Vec3& centre, int x, int y) {
+  return (centre - straight_on().eye).cross(sight_through(x + 0.5, y + 0.5)).norm();
+}
+
+/// Every pixel clearly inside the silhouette is opaque, every one clearly outside is empty.
+void expect_covers_sphere(const Image& image, const Vec3& centre, double radius) {
+  const double pixel = 2.0 * std::tan(19.0 * std::numbers::pi / 180.0) / size.height * 5.0;  // m
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      const double away = distance_to_sight(centre, x, y);
+      const int alpha = channel_at(image, x, y, 3);
+      if (away < radius - pixel) {
+        ASSERT_EQ(255, alpha) << "inside, at " << x << ", " << y;
+      }
+      if (away > radius + pixel) {
+        ASSERT_EQ(0, alpha) << "outside, at " << x << ", " << y;
+      }
+    }
+  }
+}
+
+TEST(Sphere, CoversItsDisc) {
+  const Built scene = row_of_masses({{0, 0, 0}});
+  Look look = bare_look();
+  look.masses = true;
+  look.mass_radius = 0.8;
+  const Image image = draw_once(scene.model, scene.start, look, cut_out(size), straight_on());
+  ASSERT_EQ(4, image.channels);
+  expect_covers_sphere(image, {0, 0, 0}, 0.8);
+}
+
+TEST(Sphere, CoversItsEllipseOffCentre) {
+  const Built scene = row_of_masses({{-1.9, 0.7, 0}});
+  Look look = bare_look();
+  look.masses = true;
+  look.mass_radius = 0.5;
+  const Image image = draw_once(scene.model, scene.start, look, cut_out(size), straight_on());
+  expect_covers_sphere(image, {-1.9, 0.7, 0}, 0.5);
+}
+
+TEST(Sphere, NearerOneHidesTheOther) {
+  // The pinned one is red, the other gold, in whichever order they are drawn.
+  for (const double red_depth : {-1.0, 1.0}) {
+    const Built scene = row_of_masses({{0, 0, red_depth}, {0, 0, -red_depth}});
+    Look look = bare_look();
+    look.masses = true;
+    look.mass_radius = 0.4;
+    const Image image = draw_once(scene.model, scene.start, look, cut_out(size), straight_on());
+    const int green = channel_at(image, size.width / 2, size.height / 2, 1);
+    if (red_depth > 0) {
+      EXPECT_LT(green, 70);
+    } else {
+      EXPECT_GT(green, 90);
+    }
+  }
+}
+
+TEST(Link, LiesBetweenItsMasses) {
+  const Built scene = row_of_masses({{-1, 0.5, 0}, {1, 0.5, 0}});
+  Look look = bare_look();
+  look.links = true;
+  look.link_radius = 0.1;
+  const Image image = draw_once(scene.model, scene.start, look, cut_out(size), straight_on());
+  const double upper = picture_position(straight_on(), size.width, size.height, {0, 0.6, 0}).y();
+  const double lower = picture_position(straight_on(), size.width, size.height, {0, 0.4, 0}).y();
+  for (int y = 0; y < size.height; ++y) {
+    const int alpha = channel_at(image, size.width / 2, y, 3);
+    if (y + 0.5 > upper + 1.0 && y + 0.5 < lower - 1.0) {
+      EXPECT_EQ(255, alpha) << "row " << y;
+    }
+    if (y + 0.5 < upper - 1.0 || y + 0.5 > lower + 1.0) {
+      EXPECT_EQ(0, alpha) << "row " << y;
+    }
+  }
+}
+
+TEST(Link, ThinnerThanAPixelGrowsFaintAndStaysWhole) {
+  const Built scene = row_of_masses({{-2, -0.7, 0}, {2, 0.7, 0}});
+  Look look = bare_look();
+  look.links = true;
+  look.link_radius = 0.004;  // 0.4 pixels wide
+  const Image image = draw_once(scene.model, scene.start, look, cut_out(size), straight_on());
+  for (int x = 60; x < 260; ++x) {
+    int most = 0;
+    for (int y = 0; y < size.height; ++y) most = std::max(most, channel_at(image, x, y, 3));
+    EXPECT_GT(most, 0) << "gap in column " << x;
+    EXPECT_LT(most, 255) << "column " << x;
+  }
+}
+
+TEST(Link, BrokenOneIsNotDrawn) {
+  Built scene = row_of_masses({{-1, 0, 0}, {0, 0, 0}, {1, 0, 0}});
+  scene.start.broken_at[0] = 0.0;
+  Look look = bare_look();
+  look.links = true;
+  look.link_radius = 0.1;
+  const Image image = draw_once(scene.model, scene.start, look, cut_out(size), straight_on());
+  const Vec3 broken = picture_position(straight_on(), size.width, size.height, {-0.5, 0, 0});
+  const Vec3 whole = picture_position(straight_on(), size.width, size.height, {0.5, 0, 0});
+  EXPECT_EQ(0, channel_at(image, static_cast<int>(broken.x()), static_cast<int>(broken.y()), 3));
+  EXPECT_EQ(255, channel_at(image, static_cast<int>(whole.x()), static_cast<int>(whole.y()), 3));
+}
+
+/// Alpha at the centre of a triangle's picture.
+int alpha_in_triangle(const Image& image, const State& state, const Triangle& triangle) {
+  Vec3 centre = Vec3::Zero();
+  for (const Index mass : triangle.masses) centre += state.position.at(mass) / 3.0;
+  const Vec3 place = picture_position(straight_on(), size.width, size.height, centre);
+  return channel_at(image, static_cast<int>(place.x()), static_cast<int>(place.y()), 3);
+}
+
+TEST(Surface, TornTrianglesAreNotDrawn) {
+  Built scene = upright_sheet(4, 4);
+  ASSERT_TRUE(scene.problems.empty());
+  ASSERT_EQ(18U, scene.model.triangles.size());
+  const std::size_t broken = 8;
+  scene.start.broken_at[broken] = 0.0;
+  Look look = bare_look();
+  look.surface = true;
+  const Image image = draw_once(scene.model, scene.start, look, cut_out(size), straight_on());
+  int torn = 0;
+  for (const Triangle& triangle : scene.model.triangles) {
+    const bool has_broken_edge =
+        std::find(triangle.links.begin(), triangle.links.end(), broken) != triangle.links.end();
+    torn += has_broken_edge ? 1 : 0;
+    EXPECT_EQ(has_broken_edge ? 0 : 255, alpha_in_triangle(image, scene.start, triangle));
+  }
+  EXPECT_GE(torn, 1);
+  EXPECT_LE(torn, 2);
+}
+
+TEST(Surface, ShowsItsOtherColourFromBehind) {
+  const Built scene = upright_sheet(3, 3);
+  Look look = bare_look();
+  look.surface = true;
+  look.surface_colour = {0.9, 0.1, 0.1};
+  look.surface_back_colour = {0.1, 0.1, 0.9};
+  const CameraPose behind{{0, 0, -5}, {0, 0, 0}, 38.0};
+  const Image one = draw_once(scene.model, scene.start, look, cut_out(size), straight_on());
+  const Image other = draw_once(scene.model, scene.start, look, cut_out(size), behind);
+  const int x = size.width / 2 + 10, y = size.height / 2;
+  const int redness_of_one = channel_at(one, x, y, 0) - channel_at(one, x, y, 2);
+  const int redness_of_other = channel_at(other, x, y, 0) - channel_at(other, x, y, 2);
+  EXPECT_GT(std::abs(redness_of_one), 60);
+  EXPECT_LT(redness_of_one * redness_of_other, 0);
+}
+
+TEST(Shadow, FallsWhereTheLightPutsIt) {
+  const Built scene = row_of_masses({{0, 1, 0}});
+  Look look = bare_look();
+  look.masses = look.ground = look.shadows = true;
+  look.mass_radius = 0.3;
+  RenderSettings settings{.size = size, .samples = 4, .shadow_map_size = 256, .transparent = false};
+  const CameraPose pose{{0.0, 2.5, 5.0}, {0.0, 0.4, 0.0}, 38.0};
+  const Image shaded = draw_once(scene.model, scene.start, look, settings, pose);
+  settings.shadow_map_size = 0;
+  const Image unshaded = draw_once(scene.model, scene.start, look, settings, pose);
+  ASSERT_EQ(3, shaded.channels);
+  const auto darkening = [&](const Vec3& point) {
+    const Vec3 place = picture_position(pose, size.width, size.height, point);
+    const int x = static_cast<int>(place.x()), y = static_cast<int>(place.y());
+    return channel_at(unshaded, x, y, 1) - channel_at(shaded, x, y, 1);
+  };
+  // The light comes from (0.68, 1, 0.56): a metre up, the shadow is that far away on the ground.
+  EXPECT_GT(darkening({-0.68, 0, -0.56}), 40);
+  EXPECT_EQ(0, darkening({0.68, 0, 0.56}));
+}
+
+TEST(Transparency, IsEmptyWhereNothingIs) {
+  const Built scene = row_of_masses({{0, 0, 0}});
+  Look look = bare_look();
+  look.ground = true;
+  const Image image = draw_once(scene.model, scene.start, look, cut_out(size), straight_on());
+  EXPECT_EQ(0, *std::max_element(image.pixels.begin(), image.pixels.end()));
+}
+
+TEST(Transparency, EdgesKeepTheirColour) {
+  const Built scene = row_of_masses({{0, 0, 0}});
+  Look look = bare_look();
+  look.masses = true;
+  look.mass_radius = 0.8;
+  look.pin_colour = {1.0, 1.0, 1.0};
+  const Image image = draw_once(scene.model, scene.start, look, cut_out(size), straight_on());
+  int edges = 0;
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      const int alpha = channel_at(image, x, y, 3);
+      if (alpha == 0 || alpha == 255) continue;
+      ++edges;
+      // With the empty background mixed in, a quarter covered pixel would be under a quarter as bright.
+      EXPECT_GT(channel_at(image, x, y, 1), 90) << "alpha " << alpha;
+    }
+  }
+  EXPECT_GT(edges, 50);
+}
+
+TEST(Settings, SizesThatCannotBeDrawnAreRefused) {
+  const Built scene = row_of_masses({{0, 0, 0}});
+  const auto context = make_gl_context();
+  for (const Size bad : {Size{0, 100}, Size{100, -1}, Size{1000000, 100}}) {
+    EXPECT_THROW(Renderer(*context, scene.model, scene.start, bare_look(), cut_out(bad)), BadRequest);
+  }
+}
+
+TEST(Settings, QualitiesHaveNames) {
+  EXPECT_EQ(1, render_settings_for(quality_named("draft").value()).samples);
+  EXPECT_EQ(1920, render_settings_for(quality_named("fine").value()).size.width);
+  EXPECT_FALSE(quality_named("best").has_value());
+}
+
+TEST(Renderer, DrawsTheSamePictureTwice) {
+  const Built scene = testing::folded_sheet(8, 8);
+  Look look;
+  look.surface = true;
+  const auto context = make_gl_context();
+  Renderer renderer(*context, scene.model, scene.start, look, {.size = size});
+  const CameraPose pose{{1, 1, 5}, {0, 1, 0}, 38.0};
+  const Image first = renderer.draw(scene.start, pose);
+  State moved = scene.start;
+  moved.position.add(20, {0.1, 0, 0});
+  const Image second = renderer.draw(moved, pose);
+  EXPECT_EQ(first.pixels, renderer.draw(scene.start, pose).pixels);
+  EXPECT_NE(first.pixels, second.pixels);
+}
+
+}  // namespace
+}  // namespace taut
