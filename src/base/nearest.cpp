@@ -34,7 +34,8 @@ std::string_view nearest_name(std::string_view word, std::span<const std::string
   std::size_t fewest = std::max<std::size_t>(2, word.size() / 3) + 1;
   for (const std::string_view candidate : candidates) {
     const std::size_t edits = edit_distance(word, candidate);
-    if (edits < fewest) {
+    const bool alike = edits < std::min(word.size(), candidate.size());  // something of the word is left
+    if (alike && edits < fewest) {
       fewest = edits;
       best = candidate;
     }

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
@@ -12,7 +13,11 @@ namespace {
 
 using MassesByName = std::unordered_map<std::string_view, Index>;
 
-std::string nearest_mass(std::string_view name, const Masses& masses) {
+// The mass that may have been meant, looked for only while the problems are few: in a file of bad names it
+// would take bad names × masses.
+std::string nearest_mass(std::string_view name, const Masses& masses, const std::vector<Problem>& problems) {
+  constexpr std::size_t enough = 50;
+  if (problems.size() >= enough) return {};
   const std::vector<std::string_view> names(masses.name.begin(), masses.name.end());
   return std::string(nearest_name(name, names));
 }
@@ -47,9 +52,11 @@ void add_links(Builder& builder, const std::vector<LinkSpec>& specs, const Masse
     };
     const auto a = by_name.find(spec.a), b = by_name.find(spec.b);
     if (a == by_name.end())
-      report("a", fmt::format("no mass is named \"{}\"", spec.a), nearest_mass(spec.a, builder.model.masses));
+      report("a", fmt::format("no mass is named \"{}\"", spec.a),
+             nearest_mass(spec.a, builder.model.masses, problems));
     if (b == by_name.end())
-      report("b", fmt::format("no mass is named \"{}\"", spec.b), nearest_mass(spec.b, builder.model.masses));
+      report("b", fmt::format("no mass is named \"{}\"", spec.b),
+             nearest_mass(spec.b, builder.model.masses, problems));
     if (a == by_name.end() || b == by_name.end()) continue;
     if (a->second == b->second) {
       report("b", fmt::format("a link can't join \"{}\" to itself", spec.a));
@@ -74,10 +81,18 @@ void add_loads(Model& model, const std::vector<LoadSpec>& specs, std::vector<Pro
         if (fits(model.masses.name[mass], pattern)) load.masses.push_back(static_cast<Index>(mass));
       if (load.masses.size() == before)
         problems.push_back({"load", i, "masses", fmt::format("no mass is named \"{}\"", pattern),
-                            nearest_mass(pattern, model.masses)});
+                            nearest_mass(pattern, model.masses, problems)});
     }
     model.loads.push_back(std::move(load));
   }
+}
+
+// Whether the masses can be built, so that names can be looked up: what is wrong elsewhere does not stand in
+// the way.
+bool masses_are_sound(const std::vector<Problem>& problems) {
+  return std::none_of(problems.begin(), problems.end(), [](const Problem& problem) {
+    return problem.section == "chain" || problem.section == "sheet" || problem.section == "mass";
+  });
 }
 
 }  // namespace
@@ -85,7 +100,7 @@ void add_loads(Model& model, const std::vector<LoadSpec>& specs, std::vector<Pro
 Built build(const Description& description) {
   Built built;
   built.problems = find_problems(description);
-  if (!built.problems.empty()) return built;
+  if (!masses_are_sound(built.problems)) return built;
 
   Builder builder;
   builder.model.gravity = description.gravity;

@@ -1,0 +1,125 @@
+#include "base/diagnostic.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+
+#include "base/utf8.h"
+
+namespace taut {
+namespace {
+
+constexpr std::string_view indent = "    ";
+constexpr std::string_view ellipsis = "…";
+
+// Line `number` of the text, from 1, without its end; empty beyond the last.
+std::string_view line_of(std::string_view text, std::size_t number) {
+  for (std::size_t line = 1; line < number; ++line) {
+    const std::size_t end = text.find('\n');
+    if (end == std::string_view::npos) return {};
+    text.remove_prefix(end + 1);
+  }
+  text = text.substr(0, text.find('\n'));
+  if (text.ends_with('\r')) text.remove_suffix(1);
+  return text;
+}
+
+std::vector<std::string> characters_of(std::string_view line) {
+  std::vector<std::string> characters;
+  for (std::size_t i = 0; i < line.size();) {
+    const std::size_t length = std::max<std::size_t>(1, utf8_length(line.substr(i)));
+    characters.push_back(printable(line.substr(i, length), true));
+    i += length;
+  }
+  return characters;
+}
+
+// How many columns a terminal gives a character. Only the blocks that are wide throughout: a name in Chinese,
+// Japanese or Korean, or an emoji, must not push the caret off its place; combining marks take no column.
+std::size_t columns_of(std::string_view c) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(c[i]); };
+  if (c.size() == 2) {
+    const unsigned code = (byte(0) & 0x1FU) << 6U | (byte(1) & 0x3FU);
+    return code >= 0x300 && code <= 0x36F ? 0 : 1;
+  }
+  if (c.size() == 3) {
+    const unsigned code = (byte(0) & 0x0FU) << 12U | (byte(1) & 0x3FU) << 6U | (byte(2) & 0x3FU);
+    const bool wide = (code >= 0x1100 && code <= 0x115F) || (code >= 0x2E80 && code <= 0xA4CF) ||
+                      (code >= 0xAC00 && code <= 0xD7A3) || (code >= 0xF900 && code <= 0xFAFF) ||
+                      (code >= 0xFF00 && code <= 0xFF60);
+    return wide ? 2 : 1;
+  }
+  if (c.size() == 4) {
+    const unsigned code =
+        (byte(0) & 0x07U) << 18U | (byte(1) & 0x3FU) << 12U | (byte(2) & 0x3FU) << 6U | (byte(3) & 0x3FU);
+    return (code >= 0x1F300 && code <= 0x1FAFF) || (code >= 0x20000 && code <= 0x3FFFD) ? 2 : 1;
+  }
+  return 1;
+}
+
+// The line and below it the caret. Tabs before the caret are repeated, so it stands right at any tab width.
+std::string with_caret(std::string_view line, std::size_t column) {
+  constexpr std::size_t most_before = 70, most_after = 50;  // characters around the caret that are shown
+  const std::vector<std::string> characters = characters_of(line);
+  const std::size_t caret = std::min(column == 0 ? 0 : column - 1, characters.size());
+  const std::size_t begin = caret > most_before ? caret - most_before : 0;
+  const std::size_t end = std::min(characters.size(), caret + most_after);
+  std::string shown{indent}, below{indent};
+  if (begin > 0) {
+    shown += ellipsis;
+    below += ' ';
+  }
+  for (std::size_t i = begin; i < end; ++i) {
+    shown += characters[i];
+    if (i < caret) below += characters[i] == "\t" ? "\t" : std::string(columns_of(characters[i]), ' ');
+  }
+  if (end < characters.size()) shown += ellipsis;
+  return shown + "\n" + below + "^";
+}
+
+}  // namespace
+
+std::string to_text(const Diagnostic& diagnostic, std::string_view text) {
+  const std::string origin = printable(diagnostic.origin);
+  const std::string message = printable(diagnostic.message);
+  std::string out;
+  if (diagnostic.line == 0) {
+    out = fmt::format("{}: {}", origin, message);
+  } else {
+    out = fmt::format("{}:{}:{}: {}\n{}", origin, diagnostic.line, diagnostic.column, message,
+                      with_caret(line_of(text, diagnostic.line), diagnostic.column));
+  }
+  if (!diagnostic.hint.empty()) out += fmt::format("\n{}{}", indent, printable(diagnostic.hint));
+  return out;
+}
+
+std::string to_text(std::vector<Diagnostic> diagnostics, std::string_view text, std::size_t most,
+                    std::size_t left_out) {
+  const auto place = [](const Diagnostic& d) { return std::tuple(d.line == 0, d.line, d.column); };
+  std::ranges::stable_sort(diagnostics, {}, place);
+  std::string out;
+  for (std::size_t i = 0; i < std::min(most, diagnostics.size()); ++i) {
+    if (i > 0) out += '\n';
+    out += to_text(diagnostics[i], text);
+  }
+  const std::size_t rest = diagnostics.size() - std::min(most, diagnostics.size()) + left_out;
+  if (rest > 0) out += fmt::format("\n… and {} more error{}", rest, rest == 1 ? "" : "s");
+  return out;
+}
+
+std::string in_quotes(std::string_view name) {
+  constexpr std::size_t longest = 60;  // bytes
+  if (name.size() <= longest) return fmt::format("\"{}\"", printable(name));
+  std::size_t end = 0;
+  while (end < longest) end += std::max<std::size_t>(1, utf8_length(name.substr(end)));
+  return fmt::format("\"{}{}\"", printable(name.substr(0, end)), ellipsis);
+}
+
+std::string did_you_mean(std::string_view name, std::string_view unit) {
+  if (name.empty()) return {};
+  return unit.empty() ? fmt::format("did you mean {}?", in_quotes(name))
+                      : fmt::format("did you mean {} ({})?", in_quotes(name), unit);
+}
+
+}  // namespace taut

@@ -1,0 +1,72 @@
+#include <fmt/format.h>
+
+#include "scene/scene.h"
+#include "section.h"
+
+namespace taut {
+namespace {
+
+// A cell of a Markdown table: bars would end it.
+std::string cell(std::string_view text) {
+  if (text.empty()) return "–";
+  std::string out;
+  for (const char c : text) {
+    if (c == '|') out += '\\';
+    out += c;
+  }
+  return out;
+}
+
+std::string default_cell(const KeyInfo& info) {
+  if (info.required) return "**required**";
+  // Values are code, words are not: words are what needs no TOML syntax.
+  const bool value = info.fallback.find_first_of("\"[{0123456789") != std::string::npos ||
+                     info.fallback == "true" || info.fallback == "false";
+  return value ? fmt::format("`{}`", info.fallback) : cell(info.fallback);
+}
+
+std::string range_cell(const KeyInfo& info) {
+  std::string words;
+  for (const std::string_view choice : info.choices)
+    words += fmt::format("{}`\"{}\"`", words.empty() ? "" : ", ", choice);
+  return words.empty() ? cell(range_signs(info.range)) : words;
+}
+
+std::string rows(const std::vector<KeyInfo>& keys, const std::string& prefix) {
+  std::string out;
+  for (const KeyInfo& info : keys) {
+    out += fmt::format("| `{}{}` | {} | {} | {} | {} | {} |\n", prefix, info.name, cell(info.type),
+                       cell(info.unit), default_cell(info), range_cell(info), cell(info.help));
+    out += rows(info.inner, fmt::format("{}{}.", prefix, info.name));
+  }
+  return out;
+}
+
+std::string table(const std::vector<KeyInfo>& keys) {
+  return fmt::format("| key | type | unit | default | range | meaning |\n|---|---|---|---|---|---|\n{}",
+                     rows(keys, ""));
+}
+
+}  // namespace
+
+std::string key_reference() {
+  std::string out =
+      "# Keys of a scene file\n\n"
+      "A scene is a TOML file. Numbers are in SI units, angles in degrees unless said otherwise; an integer\n"
+      "counts as a number, `nan` and `inf` do not. Every key can be set from the command line by its dotted\n"
+      "path, entries of a list by name or by number from 0: `--set world.drag=0.5`, `--set\n"
+      "sheet.cloth.rows=32`, `--set link.0.length=1`. A bare name means a key of `[solve]`.\n\n"
+      "This page is made by the program from the table its parser works with.\n";
+  for (const Section& section : all_sections()) {
+    out +=
+        fmt::format("\n## {}\n\n{}\n",
+                    section.name.empty() ? "Top level" : fmt::format("`{}`", section.label()), section.help);
+    for (const KeyGroup& group : section.groups) {
+      if (!group.title.empty()) out += fmt::format("\n### {}\n", group.title);
+      out += fmt::format("\n{}", table(group.keys));
+    }
+  }
+  return out;
+}
+
+}  // namespace taut

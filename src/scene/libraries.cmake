@@ -1,0 +1,1 @@
+# External packages that only taut_scene uses.

@@ -1,0 +1,168 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "base/diagnostic.h"
+#include "base/failure.h"
+#include "base/nearest.h"
+#include "changes.h"
+#include "methods/registry.h"
+#include "scene/scene.h"
+#include "section.h"
+#include "toml_text.h"
+
+namespace taut {
+namespace {
+
+// A top-level entry that is no section and no key: say so in the brackets it was written with.
+void report_unknown_section(const Entry& entry, const std::vector<Section>& sections, Reader& reader) {
+  reader.begin_entry("", 0);
+  std::vector<std::string_view> names;
+  for (const Section& section : sections)
+    if (!section.name.empty()) names.push_back(section.name);
+  names.push_back("title");
+  const std::string_view nearest = nearest_name(entry.key, names);
+  const auto meant = std::ranges::find(sections, nearest, &Section::name);
+  std::string hint = did_you_mean(nearest);
+  if (!nearest.empty() && meant != sections.end()) hint = "did you mean " + meant->label() + "?";
+  if (hint.empty()) hint = reader.home_hint(entry.key);
+  const auto* list = entry.node.get<Node::List>();
+  const bool tables = list && !list->empty() && list->front().get<Node::Table>();
+  const bool section = tables || entry.node.get<Node::Table>();
+  if (section)
+    reader.unreadable(entry.origin, fmt::format("unknown section {}", in_quotes(entry.key)), hint);
+  else
+    reader.bad_value(entry.origin, fmt::format("unknown key {}", in_quotes(entry.key)), hint);
+}
+
+// Keys of a single method are left out: [solve] has a message of its own for them.
+Reader::Homes homes_of(const std::vector<Section>& sections) {
+  Reader::Homes homes;
+  for (const Section& section : sections)
+    if (!section.name.empty())
+      for (const KeyInfo& info : section.groups.front().keys) homes.emplace(info.name, section.label());
+  return homes;
+}
+
+Scene read_document(const Node& document, const std::vector<Section>& sections, Reader& reader) {
+  Scene scene;
+  for (const Entry& entry : *document.get<Node::Table>()) {
+    const std::string name = entry.key == "title" ? "" : entry.key;
+    const auto found = std::ranges::find(sections, name, &Section::name);
+    if (found == sections.end() || entry.key.empty())
+      report_unknown_section(entry, sections, reader);
+    else
+      found->read(entry.node, scene, reader);
+  }
+  if (!scene.solve_given) scene.settings = default_settings();
+  return scene;
+}
+
+// Where a key of an entry was written; where the entry was, when it does not have the key.
+Origin origin_of(const Node& document, const Problem& problem) {
+  const Entry* section = find_entry(document, problem.section);
+  if (!section) return {};
+  const auto* list = section->node.get<Node::List>();
+  if (list && list->empty()) return section->node.origin;
+  const Node* node = list ? &list->at(std::min(problem.index, list->size() - 1)) : &section->node;
+  Origin origin = node->origin;
+  std::string_view rest = problem.key;
+  while (!rest.empty()) {
+    const std::size_t dot = std::min(rest.find('.'), rest.size());
+    const Entry* entry = find_entry(*node, rest.substr(0, dot));
+    if (!entry) break;
+    origin = entry->origin;
+    node = &entry->node;
+    rest.remove_prefix(std::min(dot + 1, rest.size()));
+  }
+  return origin;
+}
+
+void report_problems(const Node& document, const std::vector<Problem>& problems, Reader& reader) {
+  for (const Problem& problem : problems)
+    if (!reader.follows_from_reported(problem))
+      reader.plain(origin_of(document, problem), problem.message, did_you_mean(problem.suggestion));
+}
+
+void check_camera(const Node& document, const Camera& camera, Reader& reader) {
+  if (camera.eye == camera.target)
+    reader.plain(origin_of(document, {"camera", 0, "eye", {}, {}}),
+                 "\"eye\" and \"target\" of [camera] are the same point");
+}
+
+void check_follow(const Node& document, const Scene& scene, Reader& reader) {
+  const std::string& follow = scene.camera.follow;
+  const std::vector<std::string>& names = scene.model.masses.name;
+  if (follow.empty() || std::ranges::find(names, follow) != names.end()) return;
+  const std::vector<std::string_view> candidates(names.begin(), names.end());
+  reader.plain(origin_of(document, {"camera", 0, "follow", {}, {}}),
+               fmt::format("\"follow\" names no mass: {}", in_quotes(follow)),
+               did_you_mean(nearest_name(follow, candidates)));
+}
+
+// Makes the model; reports what is wrong with the entries as they stand to one another. What needs a model
+// is checked only when there is one to trust.
+void build_scene(const Node& document, Scene& scene, Reader& reader) {
+  Built built = build(scene.description);
+  report_problems(document, built.problems, reader);
+  check_camera(document, scene.camera, reader);
+  if (reader.count() > 0) return;
+  scene.model = std::move(built.model);
+  scene.start = std::move(built.start);
+  if (scene.model.masses.size() == 0)
+    reader.plain({}, "the scene has no masses: it needs a [[chain]], a [[sheet]] or a [[mass]]");
+  check_follow(document, scene, reader);
+  scene.settings = complete_settings(scene.settings);
+  for (const std::string& problem : capability_problems(scene.model, *find_method(scene.settings.method)))
+    reader.plain(origin_of(document, {"solve", 0, "method", {}, {}}), problem);
+}
+
+std::string read_file(const std::filesystem::path& file) {
+  const std::string name = file.string();
+  std::error_code code;
+  const auto status = std::filesystem::status(file, code);
+  if (!std::filesystem::exists(status)) throw BadRequest(name + ": no such file");
+  if (std::filesystem::is_directory(status)) throw BadRequest(name + ": a directory, not a scene file");
+  std::ifstream stream(file, std::ios::binary);
+  std::string text(most_bytes + 1, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (stream.bad() || (stream.gcount() == 0 && !stream.eof())) throw BadRequest(name + ": can't be read");
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  return text;
+}
+
+}  // namespace
+
+Scene parse_scene(const std::string& text, const std::string& file, const SceneOverrides& overrides) {
+  constexpr std::size_t most_shown = 50;  // errors
+  constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+  std::string_view body = text;
+  if (body.starts_with(byte_order_mark)) body.remove_prefix(byte_order_mark.size());
+  if (body.find_first_not_of(" \t\r\n") == std::string_view::npos)
+    throw BadRequest(file + ": the file is empty");
+
+  std::optional<SyntaxError> error;
+  Node document = parse_toml(body, error);
+  if (error)
+    throw BadRequest(to_text({file, error->origin.line, error->origin.column, error->message, {}}, body));
+
+  std::vector<Diagnostic> diagnostics = apply_changes(overrides, document);
+  const std::vector<Section> sections = all_sections();
+  Reader reader(file, change_names(overrides), homes_of(sections));
+  Scene scene = read_document(document, sections, reader);
+  build_scene(document, scene, reader);
+  diagnostics.insert(diagnostics.end(), reader.diagnostics().begin(), reader.diagnostics().end());
+  if (!diagnostics.empty())
+    throw BadRequest(to_text(std::move(diagnostics), body, most_shown, reader.left_out()));
+
+  scene.name = std::filesystem::path(file).stem().string();
+  if (scene.title.empty()) scene.title = scene.name;
+  return scene;
+}
+
+Scene load_scene(const std::filesystem::path& file, const SceneOverrides& overrides) {
+  return parse_scene(read_file(file), file.string(), overrides);
+}
+
+}  // namespace taut

@@ -1,0 +1,142 @@
+#include "physics_codecs.h"
+
+#include <fmt/format.h>
+
+namespace taut {
+namespace {
+
+const Keys<LinkProperties>& extra_link_keys() {
+  static const auto keys =
+      link_property_keys<LinkProperties>([](auto& properties) -> auto& { return properties; });
+  return keys;
+}
+
+// MotionSpec as it is written: a sinusoid's keys or a path.
+struct WrittenMotion {
+  std::optional<Vec3> amplitude;
+  std::optional<double> angular_frequency, phase;
+  std::optional<std::vector<Knot>> path;
+};
+
+const Keys<WrittenMotion>& motion_keys() {
+  static const Keys<WrittenMotion> keys{
+      key<WrittenMotion>(
+          "amplitude", &WrittenMotion::amplitude,
+          {.unit = "m",
+           .range = between(-far, far),
+           .fallback = "none",
+           .help = "the pin is at its place at the start + amplitude · sin(angular_frequency · "
+                   "t + phase)"}),
+      key<WrittenMotion>(
+          "angular_frequency", &WrittenMotion::angular_frequency,
+          {.unit = "rad/s", .range = between(-far, far), .fallback = "none", .help = "see amplitude"}),
+      key<WrittenMotion>(
+          "phase", &WrittenMotion::phase,
+          {.unit = "rad", .range = between(-far, far), .fallback = "0.0", .help = "see amplitude"}),
+      key<WrittenMotion>("path", &WrittenMotion::path,
+                         {.unit = "s, m, m, m",
+                          .range = between(-far, far),
+                          .fallback = "none",
+                          .help = "in place of the others: where the pin is at which times, "
+                                  "in order; between them a smooth curve that starts and ends at rest"}),
+  };
+  return keys;
+}
+
+const Keys<HookSpec>& hook_keys() {
+  static const Keys<HookSpec> keys{
+      key<HookSpec>("every", &HookSpec::every,
+                    {.unit = "columns",
+                     .range = between(0, 1e8),
+                     .help = "from one hook to the next; 0: no hooks. Divides columns − 1"}),
+      key<HookSpec>("draw", &HookSpec::draw,
+                    {.unit = "s, share",
+                     .range = between(0, far),
+                     .help = "[time, share of the rail that the hooks span], which draws the sheet open and "
+                             "shut; empty: the hooks stay"}),
+  };
+  return keys;
+}
+
+// A sinusoid needs both its size and its speed, a path at least one place; one of the two it must be.
+std::string motion_problem(const WrittenMotion& written) {
+  const bool swings = written.amplitude || written.angular_frequency || written.phase;
+  if (swings == written.path.has_value())
+    return "needs either \"amplitude\" and \"angular_frequency\", or \"path\"";
+  if (swings && !written.amplitude) return "needs the key \"amplitude\"";
+  if (swings && !written.angular_frequency) return "needs the key \"angular_frequency\"";
+  if (!swings && written.path->empty()) return "needs a path of at least one place";
+  return {};
+}
+
+}  // namespace
+
+std::vector<KeyInfo> Codec<MotionSpec>::inner() {
+  return infos(motion_keys());
+}
+
+bool Codec<MotionSpec>::read(const Node& node, const KeyInfo& info, MotionSpec& out, Reader& reader) {
+  WrittenMotion written;
+  const std::string label = in_quotes(info.name);
+  const std::size_t errors = reader.count();
+  if (!read_table(node, motion_keys(), label, TableKind::value, written, reader)) return false;
+  if (reader.count() > errors) return false;
+  if (const std::string problem = motion_problem(written); !problem.empty()) {
+    reader.unreadable(node.origin, label + " " + problem);
+    return false;
+  }
+  if (written.path)
+    out.path = *written.path;
+  else
+    out.sinusoid = SinusoidSpec{*written.amplitude, *written.angular_frequency, written.phase.value_or(0.0)};
+  return true;
+}
+
+std::string Codec<MotionSpec>::write(const MotionSpec& value) {
+  WrittenMotion written;
+  if (value.sinusoid) {
+    written.amplitude = value.sinusoid->amplitude;
+    written.angular_frequency = value.sinusoid->angular_frequency;
+    written.phase = value.sinusoid->phase;
+  } else if (!value.path.empty()) {
+    written.path = value.path;
+  } else {
+    return {};
+  }
+  return write_inline(motion_keys(), written);
+}
+
+std::vector<KeyInfo> Codec<HookSpec>::inner() {
+  return infos(hook_keys());
+}
+
+bool Codec<HookSpec>::read(const Node& node, const KeyInfo& info, HookSpec& out, Reader& reader) {
+  return read_table(node, hook_keys(), in_quotes(info.name), TableKind::value, out, reader);
+}
+
+std::string Codec<HookSpec>::write(const HookSpec& value) {
+  return write_inline(hook_keys(), value);
+}
+
+std::vector<KeyInfo> Codec<ExtraLinks>::inner() {
+  return infos(extra_link_keys());
+}
+
+bool Codec<ExtraLinks>::read(const Node& node, const KeyInfo& info, ExtraLinks& out, Reader& reader) {
+  if (const auto* there = node.get<bool>()) {
+    out = *there ? ExtraLinks(LinkProperties{}) : std::nullopt;
+    return true;
+  }
+  if (!node.get<Node::Table>()) {
+    reader.unreadable(node.origin,
+                      fmt::format("{} must be {}, not {}", in_quotes(info.name), type(), describe(node)));
+    return false;
+  }
+  return read_table(node, extra_link_keys(), in_quotes(info.name), TableKind::value, out.emplace(), reader);
+}
+
+std::string Codec<ExtraLinks>::write(const ExtraLinks& value) {
+  return value ? write_inline(extra_link_keys(), *value) : "false";
+}
+
+}  // namespace taut

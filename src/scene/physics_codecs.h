@@ -1,0 +1,64 @@
+#pragma once
+
+#include "key.h"
+#include "model/description.h"
+
+namespace taut {
+
+/// The largest coordinate (m), speed (m/s) and time (s) a scene may name: beyond it, double precision leaves
+/// a simulation no room for detail.
+inline constexpr double far = 1e6;
+
+/// The keys of LinkProperties, for whatever holds them; `access` gives the LinkProperties of a T.
+template <class T, class Access>
+Keys<T> link_property_keys(Access access) {
+  return {
+      key<T>("stiffness", [access](auto& t) -> auto& { return std::invoke(access, t).stiffness; },
+             {.unit = "N/m",
+              .range = above_to(0, 1e15),
+              .fallback = "rigid",
+              .help = "how hard a link pulls for each metre it is stretched"}),
+      key<T>("damping", [access](auto& t) -> auto& { return std::invoke(access, t).damping; },
+             {.unit = "N s/m",
+              .range = between(0, 1e12),
+              .help = "how hard a link resists the speed at which it is stretched; not for rigid links"}),
+      key<T>("break_stretch", [access](auto& t) -> auto& { return std::invoke(access, t).break_stretch; },
+             {.unit = "× length",
+              .range = above_to(1, 1e6),
+              .fallback = "never",
+              .help = "a link longer than this share of its length breaks"}),
+      key<T>("break_tension", [access](auto& t) -> auto& { return std::invoke(access, t).break_tension; },
+             {.unit = "N",
+              .range = above_to(0, 1e15),
+              .fallback = "never",
+              .help = "a link that pulls harder than this breaks"}),
+  };
+}
+
+/// How a pin is driven: a sinusoid's keys or a path.
+template <>
+struct Codec<MotionSpec> {
+  static std::string type() { return "a table"; }
+  static std::vector<KeyInfo> inner();
+  static bool read(const Node& node, const KeyInfo& info, MotionSpec& out, Reader& reader);
+  static std::string write(const MotionSpec& value);
+};
+
+template <>
+struct Codec<HookSpec> {
+  static std::string type() { return "a table"; }
+  static std::vector<KeyInfo> inner();
+  static bool read(const Node& node, const KeyInfo& info, HookSpec& out, Reader& reader);
+  static std::string write(const HookSpec& value);
+};
+
+/// One more family of links: not there, there and rigid (true), or there with properties of its own.
+template <>
+struct Codec<ExtraLinks> {
+  static std::string type() { return "true, false or a table"; }
+  static std::vector<KeyInfo> inner();
+  static bool read(const Node& node, const KeyInfo& info, ExtraLinks& out, Reader& reader);
+  static std::string write(const ExtraLinks& value);
+};
+
+}  // namespace taut

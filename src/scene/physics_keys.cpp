@@ -1,0 +1,170 @@
+#include "physics_codecs.h"
+#include "section.h"
+
+namespace taut {
+namespace {
+
+constexpr std::array<std::string_view, 2> chain_ends{"first", "last"};
+constexpr std::array<std::string_view, 8> sheet_edges{"top",      "bottom",    "left",        "right",
+                                                      "top-left", "top-right", "bottom-left", "bottom-right"};
+
+template <class T>
+Keys<T> operator+(Keys<T> a, Keys<T> b) {
+  for (Key<T>& each : b) a.push_back(std::move(each));
+  return a;
+}
+
+constexpr Facts where(std::string_view help) {
+  return {.unit = "m", .range = between(-far, far), .required = true, .help = help};
+}
+
+constexpr Facts named(std::string_view help) {
+  return {.required = true, .help = help};
+}
+
+Keys<ChainSpec> chain_keys() {
+  return Keys<ChainSpec>{
+             key<ChainSpec>("name", &ChainSpec::name, named("its masses are named name.0, name.1, …")),
+             key<ChainSpec>("from", &ChainSpec::from, where("where the first mass is")),
+             key<ChainSpec>("to", &ChainSpec::to, where("where the last mass is")),
+             key<ChainSpec>("links", &ChainSpec::links,
+                            {.range = between(1, 1e8), .help = "how many; there is one mass more"}),
+             key<ChainSpec>(
+                 "length", &ChainSpec::length,
+                 {.unit = "m",
+                  .range = between(0, far),
+                  .help = "of the whole; 0: the distance of its ends. A longer chain starts as an arc "
+                          "that sags along gravity, a shorter one starts stretched"}),
+             key<ChainSpec>("mass", &ChainSpec::mass,
+                            {.unit = "kg",
+                             .range = above_to(0, 1e12),
+                             .help = "of the whole, shared equally by its masses"}),
+             key<ChainSpec>("last_mass", &ChainSpec::last_mass,
+                            {.unit = "kg",
+                             .range = between(0, 1e12),
+                             .help = "of the last mass alone; 0: the same as the others"}),
+             key<ChainSpec>("pinned", &ChainSpec::pinned,
+                            {.choices = chain_ends, .help = "the ends that are held"}),
+             key<ChainSpec>("first_motion", &ChainSpec::first_motion,
+                            {.fallback = "stays", .help = "how the first mass is moved, where it is pinned"}),
+             key<ChainSpec>("last_motion", &ChainSpec::last_motion,
+                            {.fallback = "stays", .help = "how the last mass is moved, where it is pinned"}),
+         } +
+         link_property_keys<ChainSpec>(&ChainSpec::properties);
+}
+
+Keys<SheetSpec> sheet_keys() {
+  return Keys<SheetSpec>{
+             key<SheetSpec>("name", &SheetSpec::name,
+                            named("its masses are named name.row.column, row 0 on top")),
+             key<SheetSpec>("rows", &SheetSpec::rows, {.range = between(2, 1e8), .help = "of masses"}),
+             key<SheetSpec>("columns", &SheetSpec::columns, {.range = between(2, 1e8), .help = "of masses"}),
+             key<SheetSpec>("from", &SheetSpec::from, where("where the top edge starts: mass name.0.0")),
+             key<SheetSpec>("to", &SheetSpec::to, where("where the top edge ends")),
+             key<SheetSpec>("down", &SheetSpec::down, where("from the top edge to the bottom one")),
+             key<SheetSpec>("mass", &SheetSpec::mass,
+                            {.unit = "kg",
+                             .range = above_to(0, 1e12),
+                             .help = "of the whole, shared equally by its masses"}),
+             key<SheetSpec>("fullness", &SheetSpec::fullness,
+                            {.range = between(1, 5),
+                             .help = "width of the cloth ÷ length of the top edge; what is left over lies in "
+                                     "pleats between the hooks"}),
+             key<SheetSpec>("hooks", &SheetSpec::hooks,
+                            {.help = "pins at every n-th mass of the top edge, as of a curtain on its rail"}),
+             key<SheetSpec>("pinned", &SheetSpec::pinned,
+                            {.choices = sheet_edges, .help = "the edges and corners that are held"}),
+         } +
+         link_property_keys<SheetSpec>(&SheetSpec::properties) +
+         Keys<SheetSpec>{
+             key<SheetSpec>("diagonals", &SheetSpec::diagonals,
+                            {.help = "links along both diagonals of every cell; true: rigid ones"}),
+             key<SheetSpec>(
+                 "skip_one", &SheetSpec::skip_one,
+                 {.help = "links from every mass to the next but one along rows and columns; true: "
+                          "rigid ones"}),
+         };
+}
+
+Keys<MassSpec> mass_keys() {
+  return {
+      key<MassSpec>("name", &MassSpec::name, named("for links, loads and the camera")),
+      key<MassSpec>("position", &MassSpec::position, where("at the start")),
+      key<MassSpec>("velocity", &MassSpec::velocity,
+                    {.unit = "m/s",
+                     .range = between(-far, far),
+                     .help = "at the start; means nothing where it is pinned"}),
+      key<MassSpec>("mass", &MassSpec::mass,
+                    {.unit = "kg", .range = above_to(0, 1e12), .help = "means nothing where it is pinned"}),
+      key<MassSpec>("pinned", &MassSpec::pinned, {.help = "whether it is held"}),
+      key<MassSpec>("motion", &MassSpec::motion,
+                    {.fallback = "stays", .help = "how it is moved, where it is pinned"}),
+  };
+}
+
+Keys<LinkSpec> link_keys() {
+  return Keys<LinkSpec>{
+             key<LinkSpec>("a", &LinkSpec::a, named("the mass at one end")),
+             key<LinkSpec>("b", &LinkSpec::b, named("the mass at the other end")),
+             key<LinkSpec>("length", &LinkSpec::length,
+                           {.unit = "m",
+                            .range = above_to(0, far),
+                            .fallback = "the distance at the start",
+                            .help = "at which it neither pulls nor pushes"}),
+         } +
+         link_property_keys<LinkSpec>(&LinkSpec::properties);
+}
+
+Keys<LoadSpec> load_keys() {
+  return {
+      key<LoadSpec>("masses", &LoadSpec::masses,
+                    {.required = true, .help = "names; a part between dots may be *, as in cloth.47.*"}),
+      key<LoadSpec>(
+          "force", &LoadSpec::force,
+          {.unit = "N", .range = between(-1e12, 1e12), .required = true, .help = "on each of them"}),
+      key<LoadSpec>("from", &LoadSpec::from,
+                    {.unit = "s", .range = between(0, far), .help = "when it starts to grow, linearly"}),
+      key<LoadSpec>("to", &LoadSpec::to,
+                    {.unit = "s", .range = between(0, far), .help = "when it is there in full, to stay"}),
+  };
+}
+
+Keys<PlaneSpec> plane_keys() {
+  return {
+      key<PlaneSpec>("point", &PlaneSpec::point,
+                     {.unit = "m", .range = between(-far, far), .help = "any point on it"}),
+      key<PlaneSpec>("normal", &PlaneSpec::normal,
+                     {.range = between(-far, far), .help = "away from the ground, of any length but 0"}),
+      key<PlaneSpec>("friction", &PlaneSpec::friction,
+                     {.range = between(0, 100), .help = "Coulomb's coefficient"}),
+  };
+}
+
+// What gives a list of the description, of a Scene or of a const one.
+template <class List>
+auto description_of(List Description::*list) {
+  return [list](auto& scene) -> auto& {
+    return scene.description.*list;
+  };
+}
+
+}  // namespace
+
+std::vector<Section> physics_sections() {
+  return {
+      repeated_section<ChainSpec>("chain", "A straight row of equal masses, each linked to the next.",
+                                  chain_keys(), description_of(&Description::chains)),
+      repeated_section<SheetSpec>("sheet",
+                                  "A rectangular net of equal masses, linked along rows and columns.",
+                                  sheet_keys(), description_of(&Description::sheets)),
+      repeated_section<MassSpec>("mass", "One mass.", mass_keys(), description_of(&Description::masses)),
+      repeated_section<LinkSpec>("link", "One link between two masses.", link_keys(),
+                                 description_of(&Description::links)),
+      repeated_section<LoadSpec>("load", "A force that grows linearly.", load_keys(),
+                                 description_of(&Description::loads)),
+      repeated_section<PlaneSpec>("plane", "The ground, which no mass can enter. At most one.", plane_keys(),
+                                  description_of(&Description::planes)),
+  };
+}
+
+}  // namespace taut

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "key.h"
+#include "scene/scene.h"
+
+namespace taut {
+
+/// Keys that are documented together.
+struct KeyGroup {
+  std::string title;  ///< empty for a section's only group
+  std::vector<KeyInfo> keys;
+};
+
+/// A section of a scene file, whatever its keys are stored in.
+struct Section {
+  std::string name;       ///< empty: the keys above the first section
+  bool repeated = false;  ///< [[name]], any number of them
+  std::string help;
+  std::vector<KeyGroup> groups;
+  std::function<void(const Node&, Scene&, Reader&)> read;  ///< the section's node: a table, or a list of them
+  std::function<std::string(const Scene&)> write;          ///< the section as TOML, header included
+
+  /// `[name]` or `[[name]]`.
+  std::string label() const { return repeated ? fmt::format("[[{}]]", name) : fmt::format("[{}]", name); }
+};
+
+/// Every section, in the order in which it is documented and written.
+std::vector<Section> all_sections();
+
+/// A section that occurs once, stored in what `access` gives of a Scene.
+template <class T, class Access>
+Section single_section(std::string name, std::string help, Keys<T> keys, Access access) {
+  Section section{std::move(name), false, std::move(help), {{"", infos(keys)}}, {}, {}};
+  const std::string id = section.name, label = section.label();
+  section.read = [id, label, keys, access](const Node& node, Scene& scene, Reader& reader) {
+    reader.begin_entry(id, 0);
+    read_table(node, keys, label, TableKind::entry, std::invoke(access, scene), reader);
+  };
+  section.write = [label, keys, access](const Scene& scene) {
+    return label + "\n" + write_lines(keys, std::invoke(access, scene));
+  };
+  return section;
+}
+
+/// A section that occurs any number of times, stored in the std::vector that `access` gives of a Scene.
+template <class T, class Access>
+Section repeated_section(std::string name, std::string help, Keys<T> keys, Access access) {
+  Section section{std::move(name), true, std::move(help), {{"", infos(keys)}}, {}, {}};
+  const std::string id = section.name, label = section.label();
+  section.read = [id, label, keys, access](const Node& node, Scene& scene, Reader& reader) {
+    const auto* list = node.get<Node::List>();
+    if (!list) {
+      reader.begin_entry("", 0);
+      reader.unreadable(node.origin, node.origin.change < 0
+                                         ? fmt::format("write {} in place of [{}]", label, id)
+                                         : fmt::format("the scene has no {} to change", label));
+      return;
+    }
+    std::vector<T>& entries = std::invoke(access, scene);
+    for (std::size_t i = 0; i < list->size(); ++i) {
+      reader.begin_entry(id, i);
+      read_table((*list)[i], keys, label, TableKind::entry, entries.emplace_back(), reader);
+    }
+  };
+  section.write = [label, keys, access](const Scene& scene) {
+    std::string out;
+    for (const T& entry : std::invoke(access, scene))
+      out += (out.empty() ? "" : "\n") + label + "\n" + write_lines(keys, entry);
+    return out;
+  };
+  return section;
+}
+
+/// The sections of each part of a scene.
+std::vector<Section> physics_sections();
+std::vector<Section> view_sections();
+Section world_section();
+Section title_section();
+Section solve_section();
+
+/// What runs when a scene says nothing: xpbd, 600 steps per second, 1 pass.
+Settings default_settings();
+
+}  // namespace taut

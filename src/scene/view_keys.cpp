@@ -1,0 +1,105 @@
+#include "section.h"
+
+namespace taut {
+namespace {
+
+constexpr double far = 1e6;  // m
+
+template <class T>
+Key<T> colour_key(std::string_view name, Colour T::*member, std::string_view help) {
+  return key<T>(name, member, {.range = between(0, 1), .help = help});
+}
+
+Keys<Camera> camera_keys() {
+  return {
+      key<Camera>("eye", &Camera::eye,
+                  {.unit = "m", .range = between(-far, far), .help = "where the picture is taken from"}),
+      key<Camera>("target", &Camera::target,
+                  {.unit = "m", .range = between(-far, far), .help = "what is in the middle of it"}),
+      key<Camera>("field_of_view", &Camera::field_of_view,
+                  {.unit = "degrees", .range = between(1, 150), .help = "from the lower to the upper edge"}),
+      key<Camera>("orbit", &Camera::orbit,
+                  {.unit = "degrees/s",
+                   .range = between(-3600, 3600),
+                   .help = "how fast the eye goes round the vertical through the target"}),
+      key<Camera>("follow", &Camera::follow,
+                  {.fallback = "none",
+                   .help = "name of a mass; eye and target move along with it from where they are at the "
+                           "start"}),
+  };
+}
+
+Keys<Look> look_keys() {
+  return {
+      key<Look>("masses", &Look::masses, {.help = "whether masses are drawn"}),
+      key<Look>("links", &Look::links, {.help = "whether links are drawn"}),
+      key<Look>("surface", &Look::surface, {.help = "whether sheets are drawn as cloth"}),
+      key<Look>("ground", &Look::ground, {.help = "whether a ground with grid lines is drawn"}),
+      key<Look>("shadows", &Look::shadows, {.help = "whether things cast shadows"}),
+      key<Look>("theme", &Look::theme, {.help = "sky and ground"}),
+      key<Look>("colour_by", &Look::colour_by, {.help = "what links (masses, for speed) are coloured by"}),
+      key<Look>("colour_range", &Look::colour_range,
+                {.unit = "1, N or m/s",
+                 .range = between(0, 1e15),
+                 .help = "strain, tension or speed at the top of the colour scale; 0: the largest in the "
+                         "frame"}),
+      key<Look>("ground_height", &Look::ground_height,
+                {.unit = "m", .range = between(-far, far), .help = "of the drawn ground, along y"}),
+      key<Look>("mass_radius", &Look::mass_radius,
+                {.unit = "m", .range = between(0, far), .help = "0: 0.29 of the median link length"}),
+      key<Look>("link_radius", &Look::link_radius,
+                {.unit = "m", .range = between(0, far), .help = "0: 0.42 of the mass radius"}),
+      colour_key("mass_colour", &Look::mass_colour,
+                 "of free masses: red, green, blue; text as \"#cc8c33\" works as well"),
+      colour_key("pin_colour", &Look::pin_colour, "of pinned masses"),
+      colour_key("link_colour", &Look::link_colour, "of links"),
+      colour_key("surface_colour", &Look::surface_colour, "of the cloth's front"),
+      colour_key("surface_back_colour", &Look::surface_back_colour, "of the cloth's back"),
+      key<Look>("pattern", &Look::pattern, {.help = "how the cloth is painted"}),
+  };
+}
+
+Keys<Expectation> expect_keys() {
+  return {
+      key<Expectation>("max_strain", &Expectation::max_strain,
+                       {.range = between(0, 1e6),
+                        .fallback = "not checked",
+                        .help = "largest |length ÷ length at rest − 1| of the links that are whole"}),
+      key<Expectation>(
+          "energy_drift", &Expectation::energy_drift,
+          {.range = between(0, 1e6),
+           .fallback = "not checked",
+           .help = "|energy − work done − energy at the start|, as a share of the energy scale"}),
+      key<Expectation>(
+          "broken_links", &Expectation::broken_links,
+          {.range = between(0, 1e12), .fallback = "not checked", .help = "[least, most] links broken"}),
+      key<Expectation>("sag", &Expectation::sag,
+                       {.unit = "m",
+                        .range = between(-far, far),
+                        .fallback = "not checked",
+                        .help = "[least, most] of how far the lowest mass is below the lowest pin"}),
+      key<Expectation>("at_rest", &Expectation::at_rest,
+                       {.unit = "m/s",
+                        .range = between(0, far),
+                        .fallback = "not checked",
+                        .help = "speed of the fastest mass"}),
+      key<Expectation>("inside", &Expectation::inside,
+                       {.unit = "m",
+                        .range = between(-far, far),
+                        .fallback = "not checked",
+                        .help = "[lowest corner, highest corner] of a box that holds every mass"}),
+  };
+}
+
+}  // namespace
+
+std::vector<Section> view_sections() {
+  return {
+      single_section<Camera>("camera", "Where the picture is taken from.", camera_keys(), &Scene::camera),
+      single_section<Look>("look", "What is drawn, and how.", look_keys(), &Scene::look),
+      single_section<Expectation>("expect", "What must hold at the end of the run.", expect_keys(),
+                                  &Scene::expectation),
+  };
+}
+
+}  // namespace taut

@@ -1,0 +1,55 @@
+#include "base/nearest.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+
+namespace taut {
+namespace {
+
+using namespace std::string_view_literals;
+
+constexpr std::array keys{"compliance"sv, "stiffness"sv, "damping"sv, "drag"sv, "mass"sv};
+
+TEST(NearestName, FindsEachKindOfTypingError) {
+  EXPECT_EQ(nearest_name("complance", keys), "compliance") << "a letter missing";
+  EXPECT_EQ(nearest_name("stifffness", keys), "stiffness") << "a letter too many";
+  EXPECT_EQ(nearest_name("dampimg", keys), "damping") << "a wrong letter";
+  EXPECT_EQ(nearest_name("darg", keys), "drag") << "two letters swapped";
+}
+
+TEST(NearestName, IsTheNameItselfWhenItIsThere) {
+  EXPECT_EQ(nearest_name("mass", keys), "mass");
+}
+
+TEST(NearestName, IsEmptyWhenNothingIsMeant) {
+  EXPECT_EQ(nearest_name("elasticity", keys), "");
+  EXPECT_EQ(nearest_name("friction", keys), "");
+}
+
+TEST(NearestName, AllowsAThirdOfALongWordToDiffer) {
+  EXPECT_EQ(nearest_name("cmplince", keys), "compliance") << "2 of 8 letters";
+  EXPECT_EQ(nearest_name("cmplnc", keys), "") << "4 of 6 letters";
+}
+
+TEST(NearestName, IsEmptyWhenNothingOfAShortWordIsLeft) {
+  constexpr std::array words{"2"sv, "4"sv, "to"sv};
+  EXPECT_EQ(nearest_name("3", words), "");
+  EXPECT_EQ(nearest_name("ab", words), "");
+  EXPECT_EQ(nearest_name("op", std::array{"top"sv}), "top");
+}
+
+TEST(NearestName, TakesTheNearestOfSeveral) {
+  constexpr std::array names{"first_motion"sv, "last_motion"sv};
+  EXPECT_EQ(nearest_name("lst_motion", names), "last_motion");
+}
+
+TEST(NearestName, HandlesEmptyAndHugeWords) {
+  EXPECT_EQ(nearest_name("", {}), "");
+  EXPECT_EQ(nearest_name("x", {}), "");
+  EXPECT_EQ(nearest_name(std::string(1'000'000, 'a'), keys), "");
+}
+
+}  // namespace
+}  // namespace taut

@@ -1,0 +1,370 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "base/failure.h"
+#include "scene/scene.h"
+
+namespace taut {
+namespace {
+
+// What is said about a scene; empty when nothing is wrong with it.
+std::string errors_of(const std::string& text, const SceneOverrides& overrides = {}) {
+  try {
+    parse_scene(text, "f.toml", overrides);
+    return {};
+  } catch (const BadRequest& failure) {
+    return failure.what();
+  }
+}
+
+// A chain that is right, with more lines behind it: those start on line 5.
+std::string chain_with(const std::string& lines) {
+  return "[[chain]]\nname = \"rope\"\nfrom = [0, 2, 0]\nto = [2, 2, 0]\n" + lines;
+}
+
+std::string masses_with(const std::string& lines) {
+  return "[[mass]]\nname = \"hand\"\nposition = [0, 0, 0]\npinned = true\n"
+         "[[mass]]\nname = \"bob\"\nposition = [1, 0, 0]\n" +
+         lines;  // starts on line 8
+}
+
+TEST(SceneErrors, ARightSceneHasNone) {
+  EXPECT_EQ(errors_of(chain_with("")), "");
+  EXPECT_EQ(errors_of(masses_with("")), "");
+}
+
+TEST(SceneErrors, UnknownKeyNamesTheNearestWithItsUnit) {
+  EXPECT_EQ(errors_of(chain_with("last_mas = 1\n")),
+            "f.toml:5:1: unknown key \"last_mas\" in [[chain]]\n"
+            "    last_mas = 1\n"
+            "    ^\n"
+            "    did you mean \"last_mass\" (kg)?");
+}
+
+TEST(SceneErrors, UnknownKeyThatNothingIsNear) {
+  EXPECT_EQ(errors_of(chain_with("  wobble = 1\n")),
+            "f.toml:5:3: unknown key \"wobble\" in [[chain]]\n      wobble = 1\n      ^");
+}
+
+TEST(SceneErrors, KeyOfAnotherSectionSaysWhichOne) {
+  EXPECT_EQ(errors_of(chain_with("fullness = 1\n")),
+            "f.toml:5:1: unknown key \"fullness\" in [[chain]]\n    fullness = 1\n    ^\n"
+            "    \"fullness\" is a key of [[sheet]]");
+  EXPECT_EQ(errors_of("gravity = [0, 0, 0]\n" + chain_with("")),
+            "f.toml:1:1: unknown key \"gravity\"\n    gravity = [0, 0, 0]\n    ^\n"
+            "    \"gravity\" is a key of [world]");
+}
+
+TEST(SceneErrors, UnknownSection) {
+  EXPECT_EQ(errors_of(chain_with("[wrld]\ndrag = 1\n")),
+            "f.toml:5:2: unknown section \"wrld\"\n    [wrld]\n     ^\n    did you mean [world]?");
+  EXPECT_EQ(errors_of(chain_with("[[sheets]]\n")),
+            "f.toml:5:3: unknown section \"sheets\"\n    [[sheets]]\n      ^\n    did you mean [[sheet]]?");
+  EXPECT_EQ(errors_of(chain_with("[\"\"]\n")), "f.toml:5:2: unknown section \"\"\n    [\"\"]\n     ^");
+}
+
+TEST(SceneErrors, OneBracketForTwo) {
+  EXPECT_EQ(errors_of(chain_with("[plane]\n")),
+            "f.toml:5:1: write [[plane]] in place of [plane]\n    [plane]\n    ^");
+  EXPECT_EQ(errors_of(chain_with("[[world]]\n")),
+            "f.toml:5:1: [world] must be a table, not a list of 1\n    [[world]]\n    ^");
+}
+
+TEST(SceneErrors, MissingKeyPointsAtTheEntry) {
+  EXPECT_EQ(errors_of("\n [[chain]]\nname = \"rope\"\nfrom = [0, 2, 0]\n"),
+            "f.toml:2:2: [[chain]] needs the key \"to\"\n     [[chain]]\n     ^");
+}
+
+TEST(SceneErrors, WrongTypes) {
+  EXPECT_EQ(errors_of(chain_with("mass = \"heavy\"\n")),
+            "f.toml:5:8: \"mass\" must be a number in kg, not \"heavy\"\n    mass = \"heavy\"\n           ^");
+  EXPECT_EQ(errors_of(chain_with("links = 2.5\n")),
+            "f.toml:5:9: \"links\" must be a whole number, not 2.5\n    links = 2.5\n            ^");
+  EXPECT_EQ(errors_of(chain_with("pinned = \"first\"\n")),
+            "f.toml:5:10: \"pinned\" must be a list of texts, not \"first\"\n    pinned = \"first\"\n"
+            "             ^");
+  EXPECT_EQ(errors_of(chain_with("pinned = [1]\n")),
+            "f.toml:5:11: \"pinned\" must be text, not 1\n    pinned = [1]\n              ^");
+  EXPECT_EQ(errors_of(chain_with("[look]\nmasses = 1\n")),
+            "f.toml:6:10: \"masses\" must be true or false, not 1\n    masses = 1\n             ^");
+  EXPECT_EQ(errors_of(chain_with("[world]\ngravity = [0, 1]\n")),
+            "f.toml:6:11: \"gravity\" must be a list of 3 numbers in m/s², not a list of 2\n"
+            "    gravity = [0, 1]\n              ^");
+  EXPECT_EQ(errors_of(chain_with("[world]\nduration = 1979-05-27\n")),
+            "f.toml:6:12: \"duration\" must be a number in s, not a date or time\n"
+            "    duration = 1979-05-27\n               ^");
+  EXPECT_EQ(errors_of("title = 3\n" + chain_with("")),
+            "f.toml:1:9: \"title\" must be text, not 3\n    title = 3\n            ^");
+  EXPECT_EQ(errors_of("solve = 3\n" + chain_with("")),
+            "f.toml:1:9: [solve] must be a table, not 3\n    solve = 3\n            ^");
+  EXPECT_EQ(errors_of("mass = [3]\n"),
+            "f.toml:1:9: [[mass]] must be a table, not 3\n    mass = [3]\n            ^");
+}
+
+TEST(SceneErrors, NotFinite) {
+  EXPECT_EQ(errors_of(chain_with("mass = nan\n")),
+            "f.toml:5:8: \"mass\" must be finite, not nan\n    mass = nan\n           ^");
+  EXPECT_EQ(errors_of(chain_with("[world]\ngravity = [0, -inf,\n\tnan]\n")),
+            "f.toml:6:15: \"gravity\" must be finite, not -inf\n    gravity = [0, -inf,\n"
+            "                  ^");
+  EXPECT_EQ(errors_of(chain_with("links = inf\n")),
+            "f.toml:5:9: \"links\" must be finite, not inf\n    links = inf\n            ^");
+}
+
+TEST(SceneErrors, OutOfRange) {
+  EXPECT_EQ(errors_of(chain_with("mass = -1\n")),
+            "f.toml:5:8: \"mass\" must be above 0 and at most 1e12 kg, not -1\n    mass = -1\n           ^");
+  EXPECT_EQ(errors_of(chain_with("break_stretch = 1.0\n")),
+            "f.toml:5:17: \"break_stretch\" must be above 1 and at most 1e6 × length, not 1\n"
+            "    break_stretch = 1.0\n                    ^");
+  EXPECT_EQ(errors_of(chain_with("[world]\nduration = 3601\n")),
+            "f.toml:6:12: \"duration\" must be above 0 and at most 3600 s, not 3601\n"
+            "    duration = 3601\n               ^");
+  EXPECT_EQ(errors_of(chain_with("links = 0\n")),
+            "f.toml:5:9: \"links\" must be between 1 and 1e8, not 0\n    links = 0\n            ^");
+  EXPECT_EQ(errors_of(chain_with("links = 99999999999\n")),
+            "f.toml:5:9: \"links\" must be between 1 and 1e8, not 99999999999\n    links = 99999999999\n"
+            "            ^");
+}
+
+TEST(SceneErrors, WordsThatAreNoChoice) {
+  EXPECT_EQ(errors_of(chain_with("[look]\ntheme = \"drak\"\n")),
+            "f.toml:6:9: \"theme\" must be \"light\" or \"dark\", not \"drak\"\n    theme = \"drak\"\n"
+            "            ^\n    did you mean \"dark\"?");
+  EXPECT_EQ(errors_of(chain_with("pinned = [\"first\", \"lst\"]\n")),
+            "f.toml:5:20: \"pinned\" must be \"first\" or \"last\", not \"lst\"\n"
+            "    pinned = [\"first\", \"lst\"]\n                       ^\n    did you mean \"last\"?");
+}
+
+TEST(SceneErrors, Accuracy) {
+  for (const char* bad : {"\"0%\"", "\"101%\"", "\"1\"", "\"-1%\"", "\"nan%\"", "\"%\"", "\"1e%\"", "0.01"})
+    EXPECT_TRUE(
+        errors_of(chain_with(std::string("[world]\naccuracy = ") + bad))
+            .starts_with("f.toml:6:12: \"accuracy\" must be a text from above \"0%\" to \"100%\", not "))
+        << bad;
+  EXPECT_EQ(errors_of(chain_with("[world]\naccuracy = \"0.01%\"")), "");
+}
+
+TEST(SceneErrors, Colours) {
+  EXPECT_EQ(errors_of(chain_with("[look]\nlink_colour = \"#12345\"\n")),
+            "f.toml:6:15: \"link_colour\" must be a list of 3 numbers or text \"#rrggbb\", not \"#12345\"\n"
+            "    link_colour = \"#12345\"\n                  ^");
+  EXPECT_EQ(errors_of(chain_with("[look]\nlink_colour = [0, 2, 0]\n")),
+            "f.toml:6:19: \"link_colour\" must be between 0 and 1, not 2\n    link_colour = [0, 2, 0]\n"
+            "                      ^");
+}
+
+TEST(SceneErrors, Motions) {
+  const std::string needs = "\"first_motion\" needs ";
+  EXPECT_EQ(errors_of(chain_with("pinned = [\"first\"]\nfirst_motion = {}\n")),
+            "f.toml:6:16: " + needs +
+                "either \"amplitude\" and \"angular_frequency\", or \"path\"\n    first_motion = {}\n"
+                "                   ^");
+  const auto with_motion = [](const std::string& motion) {
+    const std::string errors = errors_of(chain_with("pinned = [\"first\"]\nfirst_motion = " + motion));
+    return errors.substr(0, errors.find('\n'));
+  };
+  EXPECT_EQ(with_motion("{ phase = 1, amplitude = [0, 0, 0] }"),
+            "f.toml:6:16: " + needs + "the key \"angular_frequency\"");
+  EXPECT_EQ(with_motion("{ angular_frequency = 1 }"), "f.toml:6:16: " + needs + "the key \"amplitude\"");
+  EXPECT_EQ(with_motion("{ phase = 1, path = [[0, 0, 0, 0]] }"),
+            "f.toml:6:16: " + needs + "either \"amplitude\" and \"angular_frequency\", or \"path\"");
+  EXPECT_EQ(with_motion("{ path = [] }"), "f.toml:6:16: " + needs + "a path of at least one place");
+  EXPECT_EQ(with_motion("{ path = [[0, 0, 0]] }"),
+            "f.toml:6:26: \"path\" must be a list of [t, x, y, z] in s, m, m, m, not a list of 3");
+  EXPECT_EQ(with_motion("{ amplitud = [0, 0, 0] }"),
+            "f.toml:6:18: unknown key \"amplitud\" in \"first_motion\"");
+}
+
+TEST(SceneErrors, ExtraLinksAreTrueFalseOrATable) {
+  const std::string sheet = "[[sheet]]\nname = \"s\"\nfrom = [0, 0, 0]\nto = [1, 0, 0]\ndown = [0, -1, 0]\n";
+  EXPECT_EQ(errors_of(sheet + "diagonals = 3\n"),
+            "f.toml:6:13: \"diagonals\" must be true, false or a table, not 3\n    diagonals = 3\n"
+            "                ^");
+  EXPECT_EQ(errors_of(sheet + "skip_one = { stifness = 3 }\n"),
+            "f.toml:6:14: unknown key \"stifness\" in \"skip_one\"\n    skip_one = { stifness = 3 }\n"
+            "                 ^\n    did you mean \"stiffness\" (N/m)?");
+}
+
+TEST(SceneErrors, ProblemsOfTheModelPointAtTheKey) {
+  EXPECT_EQ(errors_of(masses_with("[[link]]\na = \"hand\"\nb = \"bop\"\n")),
+            "f.toml:10:1: no mass is named \"bop\"\n    b = \"bop\"\n    ^\n    did you mean \"bob\"?");
+  EXPECT_EQ(errors_of(masses_with("[[link]]\na = \"bob\"\n  b = \"bob\"\n")),
+            "f.toml:10:3: a link can't join \"bob\" to itself\n      b = \"bob\"\n      ^");
+  EXPECT_EQ(errors_of(masses_with("[[mass]]\nname = \"bob\"\nposition = [3, 0, 0]\n")).substr(0, 12),
+            "f.toml:9:1: ");
+}
+
+TEST(SceneErrors, ProblemsOfTheModelWithoutTheirKeyPointAtTheEntry) {
+  EXPECT_EQ(errors_of(masses_with("[[plane]]\n[[plane]]\n")),
+            "f.toml:9:1: there can be only one [[plane]]\n    [[plane]]\n    ^");
+}
+
+TEST(SceneErrors, SheetsThatMemoryCannotHoldAreRefused) {
+  const std::string errors = errors_of(
+      "[[sheet]]\nname = \"s\"\nfrom = [0, 0, 0]\nto = [1, 0, 0]\ndown = [0, -1, 0]\nrows = "
+      "9_000_000\ncolumns = "
+      "9_000_000\n");
+  EXPECT_TRUE(errors.starts_with("f.toml:6:1: ")) << errors;
+  EXPECT_NE(errors.find("8.1e+13 masses"), std::string::npos) << errors;
+}
+
+TEST(SceneErrors, UnknownMethodNamesTheNearest) {
+  EXPECT_EQ(errors_of(chain_with("[solve]\nmethod = \"xpdb\"\n")),
+            "f.toml:6:10: unknown method \"xpdb\"\n    method = \"xpdb\"\n             ^\n"
+            "    did you mean \"xpbd\"?");
+  EXPECT_TRUE(errors_of(chain_with("[solve]\nmethod = \"simulated-annealing\"\n"))
+                  .find("there are euler, verlet, ") != std::string::npos);
+}
+
+TEST(SceneErrors, ParameterOfAnotherMethodNamesItsOwner) {
+  EXPECT_EQ(errors_of(chain_with("[solve]\nmethod = \"xpbd\"\nvelocities = \"kept\"\n")),
+            "f.toml:7:1: \"velocities\" is a key of the method \"euler\", not of \"xpbd\"\n"
+            "    velocities = \"kept\"\n    ^");
+}
+
+TEST(SceneErrors, ParameterOutOfRange) {
+  EXPECT_EQ(errors_of(chain_with("[solve]\nmethod = \"xpbd\"\npasses = 0\n")),
+            "f.toml:7:10: \"passes\" must be between 1 and 1e6, not 0\n    passes = 0\n             ^");
+  EXPECT_EQ(errors_of(chain_with("[solve]\nmethod = \"euler\"\nvelocities = \"derivd\"\n")),
+            "f.toml:7:14: \"velocities\" must be \"kept\" or \"derived\", not \"derivd\"\n"
+            "    velocities = \"derivd\"\n                 ^\n    did you mean \"derived\"?");
+}
+
+TEST(SceneErrors, WhatTheMethodCannotDoPointsAtTheMethod) {
+  const std::string errors = errors_of(chain_with("stiffness = 3\n[solve]\nmethod = \"euler\"\n"));
+  EXPECT_TRUE(errors.starts_with("f.toml:7:1: method \"euler\" has no links with stiffness")) << errors;
+  EXPECT_NE(errors.find("xpbd"), std::string::npos) << errors;
+}
+
+TEST(SceneErrors, CameraThatLooksNowhereOrFollowsNobody) {
+  EXPECT_EQ(errors_of(chain_with("[camera]\neye = [0, 1, 0]\ntarget = [0, 1, 0]\n")),
+            "f.toml:6:1: \"eye\" and \"target\" of [camera] are the same point\n    eye = [0, 1, 0]\n    ^");
+  EXPECT_EQ(errors_of(chain_with("[camera]\nfollow = \"rop.0\"\n")),
+            "f.toml:6:1: \"follow\" names no mass: \"rop.0\"\n    follow = \"rop.0\"\n    ^\n"
+            "    did you mean \"rope.0\"?");
+}
+
+TEST(SceneErrors, AreReportedAllAtOnceInTheOrderOfTheFile) {
+  EXPECT_EQ(
+      errors_of("[look]\n"
+                "them = \"dark\"\n"
+                "[solve]\n"
+                "method = \"xpbd\"\n"
+                "complance = 0.1\n"
+                "[[chain]]\n"
+                "name = \"rope\"\n"
+                "from = [0, 2, 0]\n"
+                "to = [2, 2, 0]\n"
+                "damping = 1\n"
+                "mass = -1\n"),
+      "f.toml:2:1: unknown key \"them\" in [look]\n    them = \"dark\"\n    ^\n"
+      "    did you mean \"theme\"?\n"
+      "f.toml:5:1: unknown key \"complance\" in [solve]\n    complance = 0.1\n    ^\n"
+      "f.toml:10:1: damping needs a stiffness: a rigid link has no speed to damp\n    damping = 1\n    ^\n"
+      "f.toml:11:8: \"mass\" must be above 0 and at most 1e12 kg, not -1\n    mass = -1\n           ^");
+}
+
+TEST(SceneErrors, WhatFollowsFromAnErrorIsNotReported) {
+  // "bob" has no usable name, so that the link finds none says nothing new.
+  EXPECT_EQ(errors_of("[[mass]]\nname = \"hand\"\nposition = [0, 0, 0]\n"
+                      "[[mass]]\nname = 3\nposition = [1, 0, 0]\n"
+                      "[[link]]\na = \"hand\"\nb = \"bob\"\n"),
+            "f.toml:5:8: \"name\" must be text, not 3\n    name = 3\n           ^");
+}
+
+TEST(SceneErrors, VeryManyAreCounted) {
+  std::string text = chain_with("");
+  for (int i = 0; i < 12'000; ++i) text += fmt::format("x{} = 1\n", i);
+  const std::string errors = errors_of(text);
+  EXPECT_EQ(std::count(errors.begin(), errors.end(), '^'), 50);
+  EXPECT_TRUE(errors.ends_with("… and 11950 more errors")) << errors.substr(errors.size() - 100);
+}
+
+TEST(SceneErrors, CaretIsRightBehindTabsAndOtherScripts) {
+  EXPECT_EQ(errors_of("[[chain]]\nname = \"rope\"\nfrom = [0, 2, 0]\n\tto = [\"é\", 2, 0]\n"),
+            "f.toml:4:8: \"to\" must be a list of 3 numbers in m, not \"é\"\n    \tto = [\"é\", 2, 0]\n"
+            "    \t      ^");
+  EXPECT_EQ(errors_of(chain_with("pinned = [\"é\", 3]\n")),
+            "f.toml:5:11: \"pinned\" must be \"first\" or \"last\", not \"é\"\n    pinned = [\"é\", 3]\n"
+            "              ^\n"
+            "f.toml:5:16: \"pinned\" must be text, not 3\n    pinned = [\"é\", 3]\n                   ^");
+}
+
+TEST(SceneErrors, SyntaxErrorsHaveTheirPlace) {
+  EXPECT_EQ(errors_of("[world]\ndrag = \n"),
+            "f.toml:2:8: not valid TOML: parsing key-value pair: expected value, saw '\\n'\n    drag = \n"
+            "           ^");
+  EXPECT_EQ(errors_of("a = 1\na = 2\n").substr(0, 30), "f.toml:2:5: not valid TOML: pa");
+  EXPECT_EQ(errors_of("x = \"").substr(0, 28), "f.toml:1:6: not valid TOML: ");
+}
+
+TEST(SceneErrors, NothingToParse) {
+  EXPECT_EQ(errors_of(""), "f.toml: the file is empty");
+  EXPECT_EQ(errors_of(" \r\n\t\n"), "f.toml: the file is empty");
+  EXPECT_EQ(errors_of("# a comment\n"),
+            "f.toml: the scene has no masses: it needs a [[chain]], a [[sheet]] or a [[mass]]");
+}
+
+TEST(SceneErrors, ByteOrderMarkAndCarriageReturnsAreNoErrors) {
+  EXPECT_EQ(errors_of("\xef\xbb\xbf[[chain]]\r\nname = \"r\"\r\nfrom = [0, 2, 0]\r\nto = [2, 2, 0]\r\n"), "");
+  EXPECT_EQ(errors_of("\xef\xbb\xbfx = 1\r\n" + chain_with("")),
+            "f.toml:1:1: unknown key \"x\"\n    x = 1\n    ^");
+}
+
+TEST(SceneErrors, NotUtf8) {
+  EXPECT_EQ(errors_of("title = \"\xff\"\n"), "f.toml: not UTF-8 text: byte 10 is 0xff");
+}
+
+std::string repeated(const std::string& part, int times) {
+  std::string out;
+  for (int i = 0; i < times; ++i) out += part;
+  return out;
+}
+
+TEST(SceneErrors, KeysOfTooManyParts) {
+  const std::string errors = errors_of(fmt::format("a{} = 1\n", repeated(".a", 60'000)));
+  EXPECT_TRUE(errors.starts_with("f.toml:1:32: a dotted key of more than 16 parts\n"))
+      << errors.substr(0, 80);
+  EXPECT_TRUE(errors_of(fmt::format("[a{}]\n", repeated(" . a", 60'000)))
+                  .starts_with("f.toml:1:64: a dotted key of more than 16 parts\n"));
+  EXPECT_TRUE(errors_of("x = { 'a'" + repeated(".\"a\"", 60'000) + " = 1 }\n").find("more than 16 parts") !=
+              std::string::npos);
+}
+
+TEST(SceneErrors, BracketsTooDeep) {
+  EXPECT_TRUE(errors_of("\na = " + repeated("[", 60'000) + "\n")
+                  .starts_with("f.toml:2:37: lists and tables nested more than 32 deep\n"));
+  EXPECT_TRUE(errors_of("a = " + repeated("{a=", 60'000)).find("more than 32 deep") != std::string::npos);
+}
+
+TEST(SceneErrors, DotsAndBracketsInStringsAndCommentsDoNotCount) {
+  const std::string many = repeated(".[", 200);
+  EXPECT_EQ(errors_of("# " + many + "\ntitle = \"" + many + "\\\"" + many + "\"\n" + chain_with("")), "");
+  EXPECT_EQ(errors_of("title = '" + many + "\\'\n" + chain_with("")), "");
+  EXPECT_EQ(errors_of("title = \"\"\"\n\"" + many + "\\\"\"\"\" # " + many + "\n" + chain_with("")), "");
+  EXPECT_EQ(errors_of("title = '''\n'" + many + "'''\n" + chain_with("")), "");
+  EXPECT_EQ(errors_of("title = \"\"\"a\"\"\"\"\" # \"" + many + "\n" + chain_with("")), "");
+}
+
+TEST(SceneErrors, LettersThatAreNotAsciiOutsideOfQuotes) {
+  EXPECT_EQ(
+      errors_of("\té = 1\n"),
+      "f.toml:1:2: not valid TOML: parsing root table: expected keys, tables, whitespace or comments, saw "
+      "'é'\n    \té = 1\n    \t^");
+  for (const char* text :
+       {"x = é", "x = 1é", "x = 4\"é\"", "[é]", "x = [é]", "x = { é = 1 }", "x = \"\"\"\\é\"\"\"",
+        "x = \"\"\"\\ é\"\"\"", "x = true\u0499", "x = 1979-05-27é"})
+    EXPECT_TRUE(errors_of(text).starts_with("f.toml:1:")) << text << "\n" << errors_of(text);
+}
+
+TEST(SceneErrors, BrokenHeadersDoNotAddUpToDepth) {
+  EXPECT_TRUE(errors_of(repeated("[[x]\n", 100)).starts_with("f.toml:1:")) << "the first one is reported";
+  EXPECT_EQ(errors_of(repeated("[[x]\n", 100)).find("nested"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace taut

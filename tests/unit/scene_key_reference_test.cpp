@@ -1,0 +1,139 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <set>
+#include <string>
+
+#include "methods/registry.h"
+#include "scene/scene.h"
+
+namespace taut {
+namespace {
+
+const std::string page = TAUT_SOURCE_DIR "/docs/scene-keys.md";
+
+// The keys in the rows of a section's tables.
+std::set<std::string> keys_of(const std::string& heading) {
+  const std::string reference = key_reference();
+  const std::size_t begin = reference.find("\n## " + heading + "\n");
+  if (begin == std::string::npos) return {};
+  const std::string section = reference.substr(begin, reference.find("\n## ", begin + 1) - begin);
+  const std::regex row("\n\\| `([a-z_.]+)` \\|");
+  std::set<std::string> keys;
+  for (std::sregex_iterator it(section.begin(), section.end(), row), end; it != end; ++it)
+    keys.insert((*it)[1]);
+  return keys;
+}
+
+using Names = std::set<std::string>;
+
+TEST(KeyReference, ListsEveryKeyOfEverySection) {
+  EXPECT_EQ(keys_of("Top level"), (Names{"title"}));
+  EXPECT_EQ(keys_of("`[world]`"), (Names{"gravity", "duration", "drag", "accuracy"}));
+  EXPECT_EQ(keys_of("`[[chain]]`"), (Names{"name",
+                                           "from",
+                                           "to",
+                                           "links",
+                                           "length",
+                                           "mass",
+                                           "last_mass",
+                                           "pinned",
+                                           "first_motion",
+                                           "first_motion.amplitude",
+                                           "first_motion.angular_frequency",
+                                           "first_motion.phase",
+                                           "first_motion.path",
+                                           "last_motion",
+                                           "last_motion.amplitude",
+                                           "last_motion.angular_frequency",
+                                           "last_motion.phase",
+                                           "last_motion.path",
+                                           "stiffness",
+                                           "damping",
+                                           "break_stretch",
+                                           "break_tension"}));
+  EXPECT_EQ(keys_of("`[[sheet]]`"), (Names{"name",
+                                           "rows",
+                                           "columns",
+                                           "from",
+                                           "to",
+                                           "down",
+                                           "mass",
+                                           "fullness",
+                                           "hooks",
+                                           "hooks.every",
+                                           "hooks.draw",
+                                           "pinned",
+                                           "stiffness",
+                                           "damping",
+                                           "break_stretch",
+                                           "break_tension",
+                                           "diagonals",
+                                           "diagonals.stiffness",
+                                           "diagonals.damping",
+                                           "diagonals.break_stretch",
+                                           "diagonals.break_tension",
+                                           "skip_one",
+                                           "skip_one.stiffness",
+                                           "skip_one.damping",
+                                           "skip_one.break_stretch",
+                                           "skip_one.break_tension"}));
+  EXPECT_EQ(keys_of("`[[mass]]`"),
+            (Names{"name", "position", "velocity", "mass", "pinned", "motion", "motion.amplitude",
+                   "motion.angular_frequency", "motion.phase", "motion.path"}));
+  EXPECT_EQ(keys_of("`[[link]]`"),
+            (Names{"a", "b", "length", "stiffness", "damping", "break_stretch", "break_tension"}));
+  EXPECT_EQ(keys_of("`[[load]]`"), (Names{"masses", "force", "from", "to"}));
+  EXPECT_EQ(keys_of("`[[plane]]`"), (Names{"point", "normal", "friction"}));
+  EXPECT_EQ(keys_of("`[camera]`"), (Names{"eye", "target", "field_of_view", "orbit", "follow"}));
+  EXPECT_EQ(keys_of("`[look]`"),
+            (Names{"masses", "links", "surface", "ground", "shadows", "theme", "colour_by", "colour_range",
+                   "ground_height", "mass_radius", "link_radius", "mass_colour", "pin_colour", "link_colour",
+                   "surface_colour", "surface_back_colour", "pattern"}));
+  EXPECT_EQ(keys_of("`[expect]`"),
+            (Names{"max_strain", "energy_drift", "broken_links", "sag", "at_rest", "inside"}));
+}
+
+TEST(KeyReference, ListsEveryParameterOfEveryMethod) {
+  Names expected{"method"};
+  for (const Method& method : all_methods())
+    for (const Param& param : method.params) expected.insert(std::string(param.name));
+  EXPECT_EQ(keys_of("`[solve]`"), expected);
+}
+
+TEST(KeyReference, EveryRowSaysWhatTheKeyMeans) {
+  const std::string reference = key_reference();
+  const std::regex row("\n\\| `[a-z_.]+` \\|[^\n]*");
+  std::size_t rows = 0;
+  for (std::sregex_iterator it(reference.begin(), reference.end(), row), end; it != end; ++it, ++rows) {
+    const std::string line = std::regex_replace(it->str(), std::regex("\\\\\\|"), "");
+    EXPECT_EQ(std::count(line.begin(), line.end(), '|'), 7) << line;
+    EXPECT_FALSE(line.ends_with("| – |")) << "no meaning: " << line;
+  }
+  EXPECT_GT(rows, 90U);
+}
+
+TEST(KeyReference, GivesUnitDefaultAndRange) {
+  EXPECT_NE(key_reference().find("| `drag` | a number | 1/s | `0.0` | 0 … 1e6 |"), std::string::npos);
+  EXPECT_NE(key_reference().find("| `from` | a list of 3 numbers | m | **required** | -1e6 … 1e6 |"),
+            std::string::npos);
+  EXPECT_NE(key_reference().find("| `stiffness` | a number | N/m | rigid | > 0, ≤ 1e15 |"),
+            std::string::npos);
+  EXPECT_NE(key_reference().find("| `theme` | text | – | `\"light\"` | `\"light\"`, `\"dark\"` |"),
+            std::string::npos);
+}
+
+// The page is made by this test when TAUT_UPDATE_DOCS is set in the environment.
+TEST(KeyReference, ThePageInDocsIsUpToDate) {
+  if (std::getenv("TAUT_UPDATE_DOCS")) std::ofstream(page, std::ios::binary) << key_reference();
+  std::ifstream stream(page, std::ios::binary);
+  const std::string stored(std::istreambuf_iterator<char>(stream), {});
+  EXPECT_EQ(stored, key_reference()) << "run this test with TAUT_UPDATE_DOCS=1 to write " << page;
+}
+
+}  // namespace
+}  // namespace taut

@@ -1,0 +1,286 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdlib>
+#include <string>
+
+#include "model/state.h"
+#include "scene/scene.h"
+
+namespace taut {
+namespace {
+
+// Uses every section and every key of the physics.
+const std::string everything = R"(
+title = "Everything \"at once\" — é"
+[world]
+gravity = [0.1, -9.81, 0]
+duration = 4
+drag = 0.30000000000000004
+accuracy = "2.5%"
+[solve]
+method = "xpbd"
+passes = 3
+steps_per_second = 1234.5
+[[chain]]
+name = "rope"
+from = [0, 2, 0]
+to = [2, 2, 0]
+links = 40
+length = 2.5
+mass = 0.4
+last_mass = 1
+pinned = ["first", "last"]
+first_motion = { amplitude = [0, 0.1, 0], angular_frequency = 10, phase = 1e-300 }
+last_motion.path = [[0, 2, 2, 0], [1, 2.1, 2, 0.3333333333333333], [2, 2, 2, 0]]
+break_tension = 1e5
+[[chain]]
+name = "elastic"
+from = [0, 3, 1]
+to = [2, 3, 1.1]
+pinned = ["first"]
+links = 7
+stiffness = 500
+damping = 0.1
+break_stretch = 1.3
+[[sheet]]
+name = "cloth"
+rows = 9
+columns = 19
+from = [-1, 2, 1]
+to = [1, 2, 1]
+down = [0, -1.5, 0]
+mass = 0.7
+fullness = 1.67
+hooks = { every = 9, draw = [[0, 0.5], [2, 1.2]] }
+pinned = ["bottom-left"]
+diagonals = true
+skip_one = { stiffness = 30, damping = 0.1, break_stretch = 2, break_tension = 7 }
+[[sheet]]
+name = "flag"
+rows = 4
+columns = 5
+from = [-1, 5, 1]
+to = [1, 5, 1]
+down = [0, -1.5, 0]
+pinned = ["left"]
+[[mass]]
+name = "hand"
+position = [0, 5, -0.0]
+pinned = true
+motion = { path = [[0, 0, 5, 0], [1, 1, 5, 0]] }
+[[mass]]
+name = "bob"
+position = [1, 5, 0]
+velocity = [0, 0, 0.1]
+mass = 3
+[[link]]
+a = "hand"
+b = "bob"
+length = 1.1
+stiffness = 100
+damping = 0.7
+break_stretch = 1.5
+break_tension = 40
+[[link]]
+a = "bob"
+b = "rope.0"
+[[load]]
+masses = ["cloth.8.*", "bob"]
+force = [0, -5, 0]
+from = 1
+to = 4
+[[plane]]
+point = [0, -1, 0]
+normal = [0.1, 1, 0]
+friction = 0.1
+[camera]
+eye = [0, 1, 7]
+target = [0, 0.5, 0]
+field_of_view = 45
+orbit = -3
+follow = "bob"
+[look]
+masses = false
+links = false
+surface = true
+ground = false
+shadows = false
+theme = "dark"
+colour_by = "tension"
+colour_range = 9
+ground_height = -1
+mass_radius = 0.02
+link_radius = 0.01
+mass_colour = "#102030"
+pin_colour = [0.1, 0.2, 0.3]
+link_colour = [0.4, 0.5, 0.6]
+surface_colour = [0.7, 0.8, 0.9]
+surface_back_colour = [0, 0.5, 1]
+pattern = "woven"
+[expect]
+max_strain = 0.1
+energy_drift = 0.2
+broken_links = [0, 3]
+sag = [0.1, 2]
+at_rest = 0.3
+inside = [[-9, -8, -7], [7, 8, 9]]
+)";
+
+void expect_same_links(const Links& a, const Links& b) {
+  EXPECT_EQ(a.a, b.a);
+  EXPECT_EQ(a.b, b.b);
+  EXPECT_EQ(a.length, b.length);
+  EXPECT_EQ(a.stiffness, b.stiffness);
+  EXPECT_EQ(a.damping, b.damping);
+  EXPECT_EQ(a.break_stretch, b.break_stretch);
+  EXPECT_EQ(a.break_tension, b.break_tension);
+}
+
+void expect_same_driven_pins(const Model& a, const Model& b) {
+  ASSERT_EQ(a.driven_pins.size(), b.driven_pins.size());
+  for (std::size_t i = 0; i < a.driven_pins.size(); ++i) {
+    const DrivenPin& pin = a.driven_pins[i];
+    const DrivenPin& other = b.driven_pins[i];
+    EXPECT_EQ(pin.mass, other.mass) << i;
+    EXPECT_EQ(pin.motion.index(), other.motion.index()) << i;
+    for (const double t : {0.0, 0.3, 1.0, 1.7, 5.0})
+      EXPECT_EQ(position_at(pin.motion, t), position_at(other.motion, t)) << "pin " << i << " at " << t;
+  }
+}
+
+void expect_same_model(const Model& a, const Model& b) {
+  EXPECT_EQ(a.gravity, b.gravity);
+  EXPECT_EQ(a.drag, b.drag);
+  EXPECT_EQ(a.masses.name, b.masses.name);
+  EXPECT_EQ(a.masses.mass, b.masses.mass);
+  EXPECT_EQ(a.masses.inverse_mass, b.masses.inverse_mass);
+  expect_same_links(a.links, b.links);
+  expect_same_driven_pins(a, b);
+  ASSERT_EQ(a.loads.size(), b.loads.size());
+  for (std::size_t i = 0; i < a.loads.size(); ++i) {
+    EXPECT_EQ(a.loads[i].masses, b.loads[i].masses);
+    EXPECT_EQ(a.loads[i].force, b.loads[i].force);
+    EXPECT_EQ(a.loads[i].from, b.loads[i].from);
+    EXPECT_EQ(a.loads[i].to, b.loads[i].to);
+  }
+  ASSERT_EQ(a.plane.has_value(), b.plane.has_value());
+  if (a.plane) {
+    EXPECT_EQ(a.plane->point, b.plane->point);
+    EXPECT_EQ(a.plane->normal, b.plane->normal);
+    EXPECT_EQ(a.plane->friction, b.plane->friction);
+  }
+  EXPECT_EQ(a.triangles.size(), b.triangles.size());
+  EXPECT_EQ(a.sheets.size(), b.sheets.size());
+  EXPECT_EQ(a.chains.size(), b.chains.size());
+  EXPECT_EQ(a.breakable_links, b.breakable_links);
+}
+
+TEST(ResolvedToml, ReadsBackToTheSameModelAndStartBitForBit) {
+  const Scene scene = parse_scene(everything, "everything.toml");
+  const Scene again = parse_scene(resolved_toml(scene), "everything.toml");
+  expect_same_model(scene.model, again.model);
+  EXPECT_EQ(state_hash(scene.start), state_hash(again.start));
+  EXPECT_EQ(scene.start.position, again.start.position);
+  EXPECT_EQ(scene.start.velocity, again.start.velocity);
+  EXPECT_EQ(scene.settings.method, again.settings.method);
+  EXPECT_EQ(scene.settings.values, again.settings.values);
+  EXPECT_GT(scene.model.masses.size(), 200U);
+}
+
+TEST(ResolvedToml, OfAResolvedSceneIsTheSameText) {
+  const std::string resolved = resolved_toml(parse_scene(everything, "everything.toml"));
+  EXPECT_EQ(resolved_toml(parse_scene(resolved, "other.toml")), resolved);
+}
+
+TEST(ResolvedToml, KeepsWhatIsSeenAndExpected) {
+  const Scene scene =
+      parse_scene(resolved_toml(parse_scene(everything, "everything.toml")), "everything.toml");
+  EXPECT_EQ(scene.title, "Everything \"at once\" — é");
+  EXPECT_EQ(scene.duration, 4.0);
+  EXPECT_EQ(scene.accuracy, "2.5%");
+  EXPECT_EQ(scene.camera.eye, Vec3(0, 1, 7));
+  EXPECT_EQ(scene.camera.target, Vec3(0, 0.5, 0));
+  EXPECT_EQ(scene.camera.field_of_view, 45.0);
+  EXPECT_EQ(scene.camera.orbit, -3.0);
+  EXPECT_EQ(scene.camera.follow, "bob");
+  EXPECT_FALSE(scene.look.masses || scene.look.links || scene.look.ground || scene.look.shadows);
+  EXPECT_TRUE(scene.look.surface);
+  EXPECT_EQ(scene.look.theme, Theme::dark);
+  EXPECT_EQ(scene.look.colour_by, ColourBy::tension);
+  EXPECT_EQ(scene.look.colour_range, 9.0);
+  EXPECT_EQ(scene.look.ground_height, -1.0);
+  EXPECT_EQ(scene.look.mass_radius, 0.02);
+  EXPECT_EQ(scene.look.link_radius, 0.01);
+  EXPECT_EQ(scene.look.mass_colour, (Colour{16 / 255.0, 32 / 255.0, 48 / 255.0}));
+  EXPECT_EQ(scene.look.pin_colour, (Colour{0.1, 0.2, 0.3}));
+  EXPECT_EQ(scene.look.link_colour, (Colour{0.4, 0.5, 0.6}));
+  EXPECT_EQ(scene.look.surface_colour, (Colour{0.7, 0.8, 0.9}));
+  EXPECT_EQ(scene.look.surface_back_colour, (Colour{0.0, 0.5, 1.0}));
+  EXPECT_EQ(scene.look.pattern, Pattern::woven);
+  EXPECT_EQ(scene.expectation.max_strain, 0.1);
+  EXPECT_EQ(scene.expectation.energy_drift, 0.2);
+  EXPECT_EQ(scene.expectation.broken_links, (std::array{0.0, 3.0}));
+  EXPECT_EQ(scene.expectation.sag, (std::array{0.1, 2.0}));
+  EXPECT_EQ(scene.expectation.at_rest, 0.3);
+  EXPECT_EQ((*scene.expectation.inside)[0], Vec3(-9, -8, -7));
+  EXPECT_EQ((*scene.expectation.inside)[1], Vec3(7, 8, 9));
+}
+
+TEST(ResolvedToml, FillsInDefaultsAndSaysWhatLeftOutKeysMean) {
+  const std::string resolved =
+      resolved_toml(parse_scene("[[chain]]\nname = \"r\"\nfrom = [0, 1, 0]\nto = [1, 1, 0]\n", "r.toml"));
+  EXPECT_TRUE(
+      resolved.starts_with("title = \"r\"\n\n"
+                           "[world]\n"
+                           "gravity = [0.0, -9.81, 0.0]\n"
+                           "duration = 6.0\n"
+                           "drag = 0.0\n"
+                           "accuracy = \"1%\"\n\n"
+                           "[solve]\n"
+                           "method = \"xpbd\"\n"
+                           "steps_per_second = 600.0\n"
+                           "passes = 1\n"))
+      << resolved;
+  EXPECT_NE(resolved.find("[[chain]]\n"
+                          "name = \"r\"\n"
+                          "from = [0.0, 1.0, 0.0]\n"
+                          "to = [1.0, 1.0, 0.0]\n"
+                          "links = 1\n"
+                          "length = 0.0\n"
+                          "mass = 1.0\n"
+                          "last_mass = 0.0\n"
+                          "pinned = []\n"
+                          "# first_motion: stays\n"
+                          "# last_motion: stays\n"
+                          "# stiffness: rigid\n"
+                          "damping = 0.0\n"
+                          "# break_stretch: never\n"
+                          "# break_tension: never\n"),
+            std::string::npos)
+      << resolved;
+}
+
+TEST(ResolvedToml, WritesNumbersThatReadBackExactly) {
+  for (const char* number : {"0.1", "0.30000000000000004", "5e-324", "2.2250738585072014e-308", "123456.75",
+                             "0.000001", "999999.9999999999", "1e-7"}) {
+    const std::string text =
+        std::string("[world]\ndrag = ") + number + "\n[[mass]]\nname = \"a\"\nposition = [0, 0, 0]\n";
+    const Scene scene = parse_scene(text, "n.toml");
+    EXPECT_EQ(scene.model.drag, std::strtod(number, nullptr)) << number;
+    EXPECT_EQ(parse_scene(resolved_toml(scene), "n.toml").model.drag, scene.model.drag) << number;
+  }
+}
+
+TEST(ResolvedToml, EscapesText) {
+  const std::string text =
+      "title = \"tab\\t quote\\\" back\\\\ line\\n bell\\u0007 é\"\n[[mass]]\nname = \"a\"\nposition = [0, "
+      "0, "
+      "0]\n";
+  const Scene scene = parse_scene(text, "t.toml");
+  EXPECT_EQ(scene.title, "tab\t quote\" back\\ line\n bell\a é");
+  EXPECT_EQ(parse_scene(resolved_toml(scene), "t.toml").title, scene.title);
+}
+
+}  // namespace
+}  // namespace taut
