@@ -159,6 +159,7 @@ std::unique_ptr<Stepper> make(const Model& model, const Settings& settings) {
 
 Method shake_method() {
   Capabilities can;
+  can.half_kicked = true;
   can.stiffness = true;
   can.break_stretch = true;
   can.break_tension = true;

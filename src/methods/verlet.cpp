@@ -86,6 +86,7 @@ std::unique_ptr<Stepper> make(const Model& model, const Settings& settings) {
 
 Method verlet_method() {
   Capabilities can;
+  can.half_kicked = true;
   can.plane = true;
   can.break_stretch = true;
   return {"verlet",

@@ -13,8 +13,8 @@ double limited_slope(double before, double after, double length_before, double l
   return before * after / (weight_before * after + (1.0 - weight_before) * before);
 }
 
-// Position (order 0) or velocity (order 1) on the quintic between two knots with given velocities and no
-// acceleration.
+// Position or its derivative of the given order, 1 or 2, on the quintic between two knots with given
+// velocities and no acceleration.
 Vec3 on_segment(const Knot& start, const Knot& end, const Vec3& start_velocity, const Vec3& end_velocity,
                 double time, int order) {
   const double span = end.time - start.time;
@@ -28,7 +28,8 @@ Vec3 on_segment(const Knot& start, const Knot& end, const Vec3& start_velocity, 
   const Vec3 b = -15.0 * rise + 8.0 * v0 + 7.0 * v1;
   const Vec3 c = 6.0 * rise - 3.0 * v0 - 3.0 * v1;
   if (order == 0) return start.position + v0 * u + u2 * u * (a + b * u + c * u2);
-  return (v0 + u2 * (3.0 * a + 4.0 * b * u + 5.0 * c * u2)) / span;
+  if (order == 1) return (v0 + u2 * (3.0 * a + 4.0 * b * u + 5.0 * c * u2)) / span;
+  return u * (6.0 * a + 12.0 * b * u + 20.0 * c * u2) / (span * span);
 }
 
 Vec3 path_at(const Path& path, double time, int order) {
@@ -71,6 +72,13 @@ Vec3 velocity_at(const Motion& motion, double time) {
   if (const auto* path = std::get_if<Path>(&motion)) return path_at(*path, time, 1);
   const auto& sinusoid = std::get<Sinusoid>(motion);
   return sinusoid.amplitude * (sinusoid.angular_frequency * std::cos(sinusoid_angle(sinusoid, time)));
+}
+
+Vec3 acceleration_at(const Motion& motion, double time) {
+  if (const auto* path = std::get_if<Path>(&motion)) return path_at(*path, time, 2);
+  const auto& sinusoid = std::get<Sinusoid>(motion);
+  const double squared = sinusoid.angular_frequency * sinusoid.angular_frequency;
+  return sinusoid.amplitude * (-squared * std::sin(sinusoid_angle(sinusoid, time)));
 }
 
 }  // namespace taut

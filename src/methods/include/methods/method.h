@@ -32,6 +32,8 @@ struct Capabilities {
   bool drag = true;
   bool break_stretch = false;
   bool break_tension = false;
+  bool half_kicked =
+      false;  ///< velocities hold half a kick that links have not answered; reports project them
   Interpolation between_steps = Interpolation::hermite;  ///< how a frame between two steps is to be found
 };
 

@@ -42,4 +42,7 @@ Vec3 position_at(const Motion& motion, double time);
 /// How fast it moves then (m/s): the exact derivative of position_at().
 Vec3 velocity_at(const Motion& motion, double time);
 
+/// The exact derivative of velocity_at() (m/s²).
+Vec3 acceleration_at(const Motion& motion, double time);
+
 }  // namespace taut

@@ -1,0 +1,98 @@
+#include "methods/acceleration.h"
+
+#include "forces.h"
+#include "link_system.h"
+#include "springs.h"
+
+namespace taut {
+namespace {
+
+std::vector<Index> whole_rigid_links(const Model& model, const State& state) {
+  std::vector<Index> links;
+  for (const Index link : solvable_links(model))
+    if (model.links.rigid(link) && !state.broken(link)) links.push_back(link);
+  return links;
+}
+
+// d·(u_a − u_b) of every link.
+void along_links(const SystemLinks& links, const Vectors& direction, const Vectors& u,
+                 std::vector<double>& result) {
+  result.resize(links.size());
+  for (std::size_t i = 0; i < links.size(); ++i)
+    result[i] = direction.at(i).dot(u.at(links.a[i]) - u.at(links.b[i]));
+}
+
+}  // namespace
+
+struct AccelerationField::Parts {
+  const Model& model;
+  LinkSystem system;
+  Springs springs;
+  std::vector<double> no_compliance, multipliers, spring_tension;
+  Vectors direction;
+};
+
+AccelerationField::AccelerationField(const Model& model, const State& state)
+    : parts_(new Parts{model,
+                       make_link_system(model, whole_rigid_links(model, state)),
+                       gather_springs(model, state),
+                       {},
+                       {},
+                       {},
+                       {}}) {
+  parts_->no_compliance.assign(parts_->system.links.size(), 0.0);
+}
+
+AccelerationField::~AccelerationField() = default;
+AccelerationField::AccelerationField(AccelerationField&&) noexcept = default;
+
+bool AccelerationField::evaluate(double time, const Vectors& position, const Vectors& velocity,
+                                 Vectors& acceleration) {
+  Parts& p = *parts_;
+  const SystemLinks& links = p.system.links;
+  // A kick of one second changes a velocity by its acceleration.
+  acceleration = velocity;
+  kick(p.model, time, 1.0, velocity, acceleration, DragAt::start);
+  kick_by_springs(p.springs, 1.0, position, velocity, acceleration, p.spring_tension);
+  for (std::size_t i = 0; i < velocity.size(); ++i) acceleration.add(i, -velocity.at(i));
+  for (const DrivenPin& pin : p.model.driven_pins)
+    acceleration.set(pin.mass, acceleration_at(pin.motion, time));
+
+  link_vectors(links, position, p.direction);
+  if (!p.system.matrix->factor(p.direction, p.direction, p.no_compliance)) return false;
+  along_links(links, p.direction, acceleration, p.multipliers);
+  for (std::size_t i = 0; i < links.size(); ++i)
+    p.multipliers[i] += (velocity.at(links.a[i]) - velocity.at(links.b[i])).squaredNorm();
+  p.system.matrix->solve(p.multipliers);
+  std::vector<double> impulse(p.multipliers);
+  for (double& value : impulse) value = -value;
+  apply_impulses(links, p.direction, impulse, acceleration);
+  return true;
+}
+
+std::vector<double> AccelerationField::tensions() const {
+  const Parts& p = *parts_;
+  std::vector<double> tensions(p.model.links.size(), 0.0);
+  for (std::size_t i = 0; i < p.multipliers.size(); ++i)
+    tensions[p.system.links.link[i]] = p.multipliers[i] * p.system.links.length[i];
+  for (std::size_t i = 0; i < p.spring_tension.size(); ++i)
+    tensions[p.springs.links.link[i]] = p.spring_tension[i];
+  return tensions;
+}
+
+Vectors projected_velocities(const Model& model, const State& state) {
+  LinkSystem system = make_link_system(model, whole_rigid_links(model, state));
+  Vectors direction;
+  link_vectors(system.links, state.position, direction);
+  const std::vector<double> no_compliance(system.links.size(), 0.0);
+  if (!system.matrix->factor(direction, direction, no_compliance)) return state.velocity;
+  std::vector<double> impulse;
+  along_links(system.links, direction, state.velocity, impulse);
+  system.matrix->solve(impulse);
+  for (double& value : impulse) value = -value;
+  Vectors projected = state.velocity;
+  apply_impulses(system.links, direction, impulse, projected);
+  return projected;
+}
+
+}  // namespace taut

@@ -1,0 +1,53 @@
+#include "measure/ledger.h"
+
+#include "fixtures.h"
+#include "measure/measures.h"
+#include "methods/advance.h"
+
+namespace taut::test {
+namespace {
+
+// Total energy gained over a run, and what the ledger says it should be.
+std::pair<double, double> gain_and_ledger(const Built& built, const Settings& given, int steps) {
+  const Settings how = complete_settings(given);
+  const auto stepper = find_method(how.method)->make(built.model, how);
+  State state = built.start;
+  stepper->links_changed(state);
+  WorkLedger ledger(built.model, state);
+  for (int step = 0; step < steps; ++step) {
+    EXPECT_EQ(advance(*stepper, built.model, state, 1.0 / how.steps_per_second()).status, StepStatus::done);
+    ledger.record(state);
+  }
+  return {energy(built.model, state).total() - energy(built.model, built.start).total(),
+          ledger.expected_gain()};
+}
+
+TEST(WorkLedger, DrivenPinPaysForTheEnergyItPutsIn) {
+  Description description = level_chain(5, 0.2);
+  description.chains[0].first_motion.sinusoid = SinusoidSpec{{0.0, 0.1, 0.0}, 12.0, 0.0};
+  const auto [gain, expected] = gain_and_ledger(build_valid(description), settings("rattle", 8000.0), 8000);
+  EXPECT_GT(std::abs(gain), 1.0);
+  EXPECT_NEAR(gain, expected, 2e-3 * std::abs(gain));
+}
+
+TEST(WorkLedger, LoadPaysForTheEnergyItPutsIn) {
+  Description description = pendulum();
+  description.loads = {LoadSpec{{"bob"}, {30.0, 5.0, 0.0}, 0.0, 1.0}};
+  const auto [gain, expected] = gain_and_ledger(build_valid(description), settings("rattle", 4000.0), 4000);
+  EXPECT_GT(gain, 1.0);
+  EXPECT_NEAR(gain, expected, 1e-4 * gain);
+}
+
+TEST(WorkLedger, BrokenSpringTakesItsEnergyAlong) {
+  Description description = pendulum();
+  description.gravity = Vec3::Zero();
+  description.masses[1].velocity = {3.0, 0.0, 0.0};
+  description.links[0].properties.stiffness = 100.0;
+  description.links[0].properties.break_tension = 20.0;  // stretched by 0.2 m: 2 J
+  const auto [gain, expected] = gain_and_ledger(build_valid(description), settings("rattle", 20000.0), 20000);
+  EXPECT_NEAR(expected, -2.0, 0.01);
+  EXPECT_NEAR(gain, expected, 1e-4);
+}
+
+}  // namespace
+}  // namespace taut::test

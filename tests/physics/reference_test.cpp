@@ -1,0 +1,88 @@
+#include "measure/reference.h"
+
+#include "fixtures.h"
+#include "measure/exact.h"
+#include "measure/explicit_integrator.h"
+#include "measure/measures.h"
+#include "methods/acceleration.h"
+
+namespace taut::test {
+namespace {
+
+TEST(ExplicitIntegrator, PendulumMatchesItsExactMotion) {
+  const Built built = build_valid(pendulum());
+  const auto states = integrate_explicitly(built.model, built.start, {0.5, 1.0, 3.0}, 1e-12);
+  ASSERT_TRUE(states);
+  for (const State& state : *states) {
+    const double angle = pendulum_angle_below_level(1.0, 9.81, state.time);
+    EXPECT_LT((state.position.at(1) - Vec3(std::cos(angle), -std::sin(angle), 0.0)).norm(), 1e-9)
+        << state.time;
+    EXPECT_NEAR(state.tension[0], 3.0 * 9.81 * std::sin(angle), 1e-7) << state.time;
+  }
+}
+
+TEST(Reference, ChainOfTwentyLinksIsCertified) {
+  const Built built = build_valid(level_chain(20, 0.1));
+  const Reference reference = make_reference(built.model, built.start, {0.25, 0.5, 1.0}, 1e-7);
+  ASSERT_TRUE(reference.certified()) << reference.refusal;
+  EXPECT_EQ(reference.certified_until, 1.0);
+  EXPECT_LE(reference.uncertainty, 1e-7);
+  const auto tighter = integrate_explicitly(built.model, built.start, {1.0}, 1e-13);
+  EXPECT_LT(position_error(reference.states.back(), tighter->back()), 1e-7);
+}
+
+TEST(Reference, DrivenPinsSpringsAndDragAreCertified) {
+  Description description = level_chain(4, 0.25);
+  description.drag = 0.5;
+  description.chains[0].first_motion.sinusoid = SinusoidSpec{{0.0, 0.05, 0.0}, 8.0, 0.0};
+  MassSpec bob;
+  bob.name = "bob";
+  bob.position = {1.0, -0.5, 0.0};
+  description.masses = {bob};
+  LinkProperties soft;
+  soft.stiffness = 300.0;
+  soft.damping = 1.0;
+  description.links = {LinkSpec{"rope.4", "bob", 0.5, soft}};
+  const Reference reference =
+      make_reference(build_valid(description).model, build_valid(description).start, {0.5}, 1e-6);
+  EXPECT_TRUE(reference.certified()) << reference.refusal;
+}
+
+// A three-mass pendulum thrown over is chaotic: agreement ends, and the reference says where.
+TEST(Reference, ChaosCutsTheCertifiedTime) {
+  Description description = level_chain(3, 1.0 / 3.0);
+  description.chains[0].to = {0.0, 1.0, 0.0};
+  const Built built = build_valid(description);
+  State start = built.start;
+  start.velocity.x[3] = 6.0;
+  start.velocity.x[2] = 4.0;
+  start.velocity.x[1] = 2.0;
+  const Reference reference = make_reference(built.model, start, {0.5, 2.0, 20.0}, 1e-6);
+  ASSERT_TRUE(reference.certified()) << reference.refusal;
+  EXPECT_LT(reference.certified_until, 20.0);
+  EXPECT_GE(reference.certified_until, 0.5);
+}
+
+TEST(Reference, IsRefusedWhereEventsAreNotResolved) {
+  Description description = pendulum();
+  description.planes = {PlaneSpec{{0.0, -0.5, 0.0}, Vec3::UnitY(), 0.5}};
+  const Built built = build_valid(description);
+  const Reference reference = make_reference(built.model, built.start, {1.0}, 1e-6);
+  EXPECT_FALSE(reference.certified());
+  EXPECT_NE(reference.refusal.find("ground"), std::string::npos);
+}
+
+// What verlet and shake report at rest is rest, not half a kick.
+TEST(ProjectedVelocities, OfAHangingMassAreZero) {
+  Description description = pendulum();
+  description.masses[1].position = {0.0, -1.0, 0.0};
+  const Built built = build_valid(description);
+  for (const char* method : {"verlet", "shake"}) {
+    State end = run(built, settings(method, 600.0), 1.0);
+    EXPECT_NEAR(end.velocity.y[1], -9.81 / 1200.0, 1e-9) << method;
+    EXPECT_NEAR(projected_velocities(built.model, end).y[1], 0.0, 1e-15) << method;
+  }
+}
+
+}  // namespace
+}  // namespace taut::test
