@@ -39,17 +39,18 @@ class NetMatrix final : public LinkMatrix {
 
   bool factor(const Vectors& rows, const Vectors&, std::span<const double> diagonal) override {
     std::fill(matrix_.valuePtr(), matrix_.valuePtr() + matrix_.nonZeros(), 0.0);
-    double largest = 0.0;
+    double largest = 0.0, sum = 0.0;
     for (std::size_t i = 0; i < weight_.size(); ++i) {
       const Vec3 row = rows.at(i);
       *diagonal_place_[i] = weight_[i] * row.squaredNorm() + diagonal[i];
       largest = std::max(largest, *diagonal_place_[i]);
+      sum += *diagonal_place_[i];
     }
     for (const Pair& pair : pairs_)
       *pair.place +=
           pair.weight *
           rows.at(static_cast<std::size_t>(pair.row)).dot(rows.at(static_cast<std::size_t>(pair.column)));
-    if (!std::isfinite(largest)) return false;
+    if (!std::isfinite(sum)) return false;
     // Redundant links make the matrix singular: then a tiny compliance in all of them, far below what the
     // tolerance on lengths can see, because residuals are not touched.
     for (const double share : {0.0, 1e-10, 1e-8}) {

@@ -28,8 +28,9 @@ namespace taut {
 namespace {
 
 constexpr int most_rounds = 30;
-// A solve that is further off than this after so many rounds wanders about until the rounds run out: halving the step at
-// once is cheaper (on 1000 light links with a heavy tip at 60 steps/s it saves half of all rounds).
+// A solve that is further off than this after so many rounds wanders about until the rounds run out: halving
+// the step at once is cheaper (on 1000 light links with a heavy tip at 60 steps/s it saves half of all
+// rounds).
 constexpr int rounds_to_settle = 6;
 constexpr double settled_error = 0.05;
 

@@ -6,11 +6,11 @@
 namespace taut {
 namespace {
 
-// Weighted harmonic mean of two slopes over neighbouring intervals; 0 where they disagree in sign.
-double limited_slope(double before, double after, double length_before, double length_after) {
-  if (before * after <= 0.0) return 0.0;
-  const double weight_before = (length_before + 2.0 * length_after) / (3.0 * (length_before + length_after));
-  return before * after / (weight_before * after + (1.0 - weight_before) * before);
+// Harmonic mean of the slopes on both sides; 0 where they disagree in sign. It is at most twice the smaller
+// one. That keeps a quintic without acceleration at its ends from turning back: for slopes up to 2, in units
+// of its mean slope, its velocity is linear in both and not negative at the four corners.
+double limited_slope(double before, double after) {
+  return before * after > 0.0 ? 2.0 * before * after / (before + after) : 0.0;
 }
 
 // Position or its derivative of the given order, 1 or 2, on the quintic between two knots with given
@@ -57,7 +57,7 @@ Path make_path(std::vector<Knot> knots) {
     const Vec3 slope_before = (knots[i].position - knots[i - 1].position) / before;
     const Vec3 slope_after = (knots[i + 1].position - knots[i].position) / after;
     for (int axis = 0; axis < 3; ++axis)
-      velocities[i][axis] = limited_slope(slope_before[axis], slope_after[axis], before, after);
+      velocities[i][axis] = limited_slope(slope_before[axis], slope_after[axis]);
   }
   return {std::move(knots), std::move(velocities)};
 }

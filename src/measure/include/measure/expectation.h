@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "measure/run_measures.h"
 #include "model/expectation.h"
 #include "model/model.h"
 #include "model/state.h"
@@ -16,8 +17,9 @@ struct Finding {
   std::string text;  ///< what was measured beside what was expected
 };
 
-/// Tests every part of an expectation that is stated, in the order of its members.
-std::vector<Finding> check_expectation(const Expectation& expectation, const Model& model, const State& start,
-                                       const State& end);
+/// Tests every part of an expectation that is stated, in the order of its members, on the end of a run and
+/// what was measured of it.
+std::vector<Finding> check_expectation(const Expectation& expectation, const Model& model, const State& end,
+                                       const RunMeasures& measures);
 
 }  // namespace taut

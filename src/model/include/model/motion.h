@@ -24,8 +24,8 @@ struct Knot {
 /// A pin that follows knots over time and stays put before the first and after the last one. Between knots a
 /// quintic polynomial with zero acceleration at every knot: position, velocity and acceleration are
 /// continuous everywhere (a kink would be an impulse). The velocities at the knots are harmonic means of the
-/// slopes on either side (Fritsch and Butland, 1984), zero where a coordinate turns or dwells, so no
-/// coordinate overshoots its knots.
+/// slopes on either side, zero where a coordinate turns or dwells, so no coordinate overshoots its knots or
+/// turns between them.
 struct Path {
   std::vector<Knot> knots;       ///< times strictly increasing
   std::vector<Vec3> velocities;  ///< m/s at the knots; filled by make_path()

@@ -1,0 +1,143 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "base/failure.h"
+#include "exit_status.h"
+#include "flags.h"
+#include "measure/expectation.h"
+#include "measures_json.h"
+#include "run/signals.h"
+#include "run/simulation.h"
+#include "verbs.h"
+
+namespace taut {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct CheckFlags {
+  std::vector<std::string> scenes;
+  SceneFlags changes;
+  bool run = false, json = false, resolved = false, quiet = false;
+};
+
+// What came of checking one scene.
+struct Verdict {
+  int status = exit_done;
+  std::string message;  ///< for people, about what is wrong; empty when nothing is
+  Json json;
+};
+
+Json finding_to_json(const Finding& finding) {
+  return {{"key", finding.key}, {"holds", finding.holds}, {"text", finding.text}};
+}
+
+// Simulates the scene to its end and tests what it expects there.
+void check_run(const Scene& scene, const StopTest& stop, Verdict& verdict) {
+  Simulation simulation(scene);
+  const std::optional<State> end = simulation.at(scene.duration, stop);
+  if (!end) return;
+  verdict.json["steps"] = simulation.steps();
+  verdict.json["state_hash"] = fmt::format("{:016x}", state_hash(*end));
+  const RunMeasures measures = simulation.measures(*end);
+  verdict.json["measures"] = measures_to_json(measures, scene.model);
+  verdict.json["findings"] = Json::array();
+  for (const Finding& finding : check_expectation(scene.expectation, scene.model, *end, measures)) {
+    verdict.json["findings"].push_back(finding_to_json(finding));
+    if (finding.holds) continue;
+    verdict.status = exit_failed;
+    verdict.message += fmt::format("{}{}: {}: {}", verdict.message.empty() ? "" : "\n", scene.name,
+                                   finding.key, finding.text);
+  }
+}
+
+void describe(const Scene& scene, Json& json) {
+  json["scene"] = scene.name;
+  json["title"] = scene.title;
+  json["masses"] = scene.model.masses.size();
+  json["links"] = scene.model.links.size();
+  json["duration"] = scene.duration;
+  json["method"] = scene.settings.method;
+  json["steps_per_second"] = scene.settings.steps_per_second();
+}
+
+Verdict check_scene(const std::string& argument, const CheckFlags& flags, const StopTest& stop) {
+  Verdict verdict;
+  verdict.json = {{"scene", argument}, {"ok", true}};
+  try {
+    const Scene scene = load(argument, flags.changes.overrides());
+    say_what_was_chosen(scene, flags.quiet);
+    describe(scene, verdict.json);
+    if (flags.resolved) verdict.json["resolved"] = resolved_toml(scene);
+    if (flags.run)
+      check_run(scene, stop, verdict);
+    else
+      Simulation{scene};  // complains where the method can't do what the scene needs
+  } catch (const BadRequest& problem) {
+    verdict.status = exit_bad_request;
+    verdict.message = problem.what();
+  } catch (const RunFailure& problem) {
+    verdict.status = exit_failed;
+    verdict.message = problem.what();
+  }
+  verdict.json["ok"] = verdict.status == exit_done;
+  if (!verdict.message.empty()) verdict.json["problem"] = verdict.message;
+  return verdict;
+}
+
+void print_verdict(const Verdict& verdict, const CheckFlags& flags) {
+  if (!verdict.message.empty()) fmt::print(stderr, "taut: {}\n", verdict.message);
+  if (flags.json || flags.quiet || verdict.status == exit_bad_request) return;
+  const Json& json = verdict.json;
+  if (flags.resolved) {
+    fmt::print("{}", json["resolved"].get<std::string>());
+    return;
+  }
+  fmt::print("{}: {} masses, {} links, {} s with {} at {} steps/s{}\n", json["scene"].get<std::string>(),
+             json["masses"].get<std::size_t>(), json["links"].get<std::size_t>(),
+             json["duration"].get<double>(), json["method"].get<std::string>(),
+             json["steps_per_second"].get<double>(), verdict.status == exit_done ? ", fine" : "");
+  if (!json.contains("findings")) return;
+  for (const Json& finding : json["findings"])
+    fmt::print("  {} {}: {}\n", finding["holds"].get<bool>() ? "holds" : "FAILS",
+               finding["key"].get<std::string>(), finding["text"].get<std::string>());
+}
+
+int check(const CheckFlags& flags) {
+  const InterruptWatch interrupts;
+  int status = exit_done;
+  Json verdicts = Json::array();
+  for (const std::string& scene : flags.scenes) {
+    const Verdict verdict = check_scene(scene, flags, [&] { return interrupts.caught() != 0; });
+    if (interrupts.caught() != 0) return exit_signal + interrupts.caught();
+    print_verdict(verdict, flags);
+    status = std::max(status, verdict.status);
+    verdicts.push_back(verdict.json);
+  }
+  if (flags.json) fmt::print("{}\n", verdicts.dump(2));
+  return status;
+}
+
+}  // namespace
+
+void add_check(CLI::App& program, Action& action) {
+  CLI::App* verb = program.add_subcommand("check", "Find errors in scenes, and test what they expect");
+  const auto flags = std::make_shared<CheckFlags>();
+  verb->add_option("SCENE", flags->scenes, "Scene files, or bare names of `taut list scenes`")->required();
+  flags->changes.add_changes_to(*verb);
+  verb->add_flag("--run", flags->run,
+                 "Simulate each scene and test its [expect]; status 1 where it does not hold");
+  verb->add_flag("--resolved", flags->resolved, "Print each scene as TOML with every default filled in");
+  verb->add_flag("--json", flags->json, "Print an array of objects as JSON on stdout");
+  verb->add_flag("--quiet", flags->quiet, "Only errors");
+  verb->footer("Example:\n  taut check hanging-chain curtain --run");
+  verb->callback([flags, &action] { action = [flags] { return check(*flags); }; });
+}
+
+}  // namespace taut

@@ -1,0 +1,118 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "base/failure.h"
+#include "exit_status.h"
+#include "flags.h"
+#include "output/atomic_file.h"
+#include "output/csv.h"
+#include "run/frame_selection.h"
+#include "run/signals.h"
+#include "run/simulation.h"
+#include "values.h"
+#include "verbs.h"
+
+namespace taut {
+namespace {
+
+struct ExportFlags {
+  SceneFlags scene;
+  std::string format = "csv", table = "masses", times, rate = "30", file;
+  bool quiet = false;
+};
+
+// An instant to be exported, and the number it goes by.
+struct Instant {
+  int frame;
+  double time;  // s
+};
+
+// The times of --times in rising order, numbered from 1; or those of all frames.
+std::vector<Instant> instants(const ExportFlags& flags, const Scene& scene) {
+  std::vector<Instant> result;
+  if (flags.times.empty()) {
+    const double rate = parse_number("--fps", flags.rate);
+    for (const int frame : all_frames(frame_count(scene.duration, rate)))
+      result.push_back({frame, frame_time(frame, rate)});
+    return result;
+  }
+  std::size_t begin = 0;
+  while (begin <= flags.times.size()) {
+    const std::size_t end = std::min(flags.times.find(',', begin), flags.times.size());
+    const double time = parse_seconds("--times", std::string_view(flags.times).substr(begin, end - begin));
+    if (time < 0.0 || (!result.empty() && time <= result.back().time))
+      throw BadRequest(fmt::format("--times must rise from 0 s on, and {} s does not", time));
+    result.push_back({static_cast<int>(result.size()) + 1, time});
+    begin = end + 1;
+  }
+  return result;
+}
+
+// Where the table goes: a file that is only there when it is whole, or stdout.
+class Sink {
+ public:
+  explicit Sink(const std::string& file) {
+    if (!file.empty() && file != "-") pending_.emplace(file);
+  }
+  void write(const std::string& text) {
+    if (pending_)
+      pending_->write(std::as_bytes(std::span(text)));
+    else if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size())
+      throw RunFailure("stdout took no more");
+  }
+  void finish() {
+    if (pending_) pending_->commit();
+    if (!pending_ && std::fflush(stdout) != 0) throw RunFailure("stdout took no more");
+  }
+
+ private:
+  std::optional<PendingFile> pending_;
+};
+
+int export_motion(const ExportFlags& flags) {
+  if (flags.format != "csv")
+    throw BadRequest(fmt::format("--format knows only csv, not \"{}\"", flags.format));
+  const bool links = flags.table == "links";
+  if (!links && flags.table != "masses")
+    throw BadRequest(fmt::format("--table is masses or links, not \"{}\"", flags.table));
+  const Scene scene = load(flags.scene.scene, flags.scene.overrides());
+  const std::vector<Instant> wanted = instants(flags, scene);
+  say_what_was_chosen(scene, flags.quiet);
+
+  const InterruptWatch interrupts;
+  Simulation simulation(scene);
+  Sink sink(flags.file);
+  sink.write(links ? link_table_header() : mass_table_header());
+  for (const Instant& instant : wanted) {
+    const std::optional<State> state = simulation.at(instant.time, [&] { return interrupts.caught() != 0; });
+    if (!state) return exit_signal + interrupts.caught();
+    const State reported = simulation.reported(*state);
+    sink.write(links ? link_table_rows(scene.model, reported, instant.frame)
+                     : mass_table_rows(scene.model, reported, instant.frame));
+  }
+  sink.finish();
+  return exit_done;
+}
+
+}  // namespace
+
+void add_export(CLI::App& program, Action& action) {
+  CLI::App* verb = program.add_subcommand("export", "The motion of a scene as a table, for other tools");
+  const auto flags = std::make_shared<ExportFlags>();
+  flags->scene.add_to(*verb);
+  verb->add_option("--format", flags->format, "csv")->capture_default_str();
+  verb->add_option("--table", flags->table, "masses or links")->capture_default_str();
+  verb->add_option("--times", flags->times,
+                   "These instants, exactly, such as 0.5,1.0; else those of all frames");
+  verb->add_option("--fps", flags->rate, "Frames per second")->capture_default_str();
+  verb->add_option("-o,--output", flags->file, "The file; replaced when it exists [stdout]");
+  verb->add_flag("--quiet", flags->quiet, "No messages but errors");
+  verb->footer("Example:\n  taut export pendulum --format csv --times 0.5,1.0 --table links -o links.csv");
+  verb->callback([flags, &action] { action = [flags] { return export_motion(*flags); }; });
+}
+
+}  // namespace taut

@@ -1,0 +1,112 @@
+#include "flags.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <cstdio>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "base/failure.h"
+#include "base/nearest.h"
+#include "run/scene_folder.h"
+#include "values.h"
+
+namespace taut {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, ColourBy>, 4> colourings{{
+    {"plain", ColourBy::plain},
+    {"strain", ColourBy::strain},
+    {"tension", ColourBy::tension},
+    {"speed", ColourBy::speed},
+}};
+
+[[noreturn]] void not_one_of(std::string_view flag, std::string_view given,
+                             std::span<const std::string_view> names) {
+  const std::string_view nearest = nearest_name(given, names);
+  throw BadRequest(fmt::format("{} is one of {}, not \"{}\"{}", flag, fmt::join(names, ", "), given,
+                               nearest.empty() ? "" : fmt::format("; did you mean \"{}\"?", nearest)));
+}
+
+Quality parse_quality(const std::string& text) {
+  if (text.empty()) return Quality::standard;
+  if (const auto quality = quality_named(text)) return *quality;
+  constexpr std::array<std::string_view, 3> names{"draft", "standard", "fine"};
+  not_one_of("--quality", text, names);
+}
+
+GlBackend parse_backend(const std::string& text) {
+  if (const auto backend = gl_backend_named(text)) return *backend;
+  constexpr std::array<std::string_view, 3> names{"auto", "osmesa", "egl"};
+  not_one_of("--gl", text, names);
+}
+
+}  // namespace
+
+void SceneFlags::add_to(CLI::App& verb) {
+  verb.add_option("SCENE", scene, "A scene file, or the bare name of one of `taut list scenes`")->required();
+  add_changes_to(verb);
+}
+
+void SceneFlags::add_changes_to(CLI::App& verb) {
+  verb.add_option("--method", method, "Simulate with this method, one of `taut list methods`");
+  verb.add_option("--set", sets, "Change a key of the scene: key=value, any number of times")
+      ->allow_extra_args(false);
+}
+
+SceneOverrides SceneFlags::overrides() const {
+  return {sets, method.empty() ? std::nullopt : std::optional(method)};
+}
+
+Scene load(const std::string& argument, const SceneOverrides& overrides) {
+  return load_scene(find_scene(argument), overrides);
+}
+
+void PictureFlags::add_to(CLI::App& verb) {
+  auto* size_option = verb.add_option("--size", size, "Width and height in pixels, such as 1280x720");
+  verb.add_option("--quality", quality,
+                  "draft (640x360, jagged, no shadows), standard (1280x720) or fine (1920x1080)")
+      ->excludes(size_option);
+  verb.add_option("--color,--colour", colour,
+                  "Colour by plain, strain, tension or speed instead of as the scene says");
+  verb.add_flag("--transparent", transparent, "Nothing behind the scene; PNG with alpha");
+  verb.add_option("--gl", backend, "How to get OpenGL without a display: osmesa, egl or auto")
+      ->capture_default_str();
+  verb.add_option("--shaders", shader_folder,
+                  "Draw with the shaders of this folder instead of the built-in ones");
+}
+
+PictureSettings PictureFlags::settings(std::optional<Size> usual) const {
+  PictureSettings settings;
+  settings.render = render_settings_for(parse_quality(quality));
+  if (quality.empty() && usual) settings.render.size = *usual;
+  if (!size.empty()) settings.render.size = parse_size("--size", size);
+  check_size(settings.render.size);
+  settings.render.transparent = transparent;
+  settings.backend = parse_backend(backend);
+  settings.shader_folder = shader_folder;
+  return settings;
+}
+
+void PictureFlags::apply_to(Scene& scene) const {
+  if (colour.empty()) return;
+  std::vector<std::string_view> names;
+  for (const auto& [name, colouring] : colourings) {
+    names.push_back(name);
+    if (name != colour) continue;
+    scene.look.colour_by = colouring;
+    return;
+  }
+  not_one_of("--color", colour, names);
+}
+
+void say_what_was_chosen(const Scene& scene, bool quiet) {
+  if (scene.solve_given || quiet) return;
+  fmt::print(stderr, "taut: {} leaves the method open; {} at {} steps/s is used\n", scene.name,
+             scene.settings.method, scene.settings.steps_per_second());
+}
+
+}  // namespace taut

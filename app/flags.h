@@ -1,0 +1,44 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "run/painter.h"
+#include "scene/scene.h"
+
+namespace taut {
+
+/// Which scene, and what is changed in it.
+struct SceneFlags {
+  std::string scene;
+  std::vector<std::string> sets;
+  std::string method;
+
+  /// Adds the argument SCENE and the flags.
+  void add_to(CLI::App& verb);
+  /// Adds only the flags.
+  void add_changes_to(CLI::App& verb);
+  SceneOverrides overrides() const;
+};
+
+/// Reads the scene that an argument means. Throws BadRequest with all of its errors.
+Scene load(const std::string& argument, const SceneOverrides& overrides);
+
+/// How pictures are made.
+struct PictureFlags {
+  std::string size, quality, colour, backend = "auto", shader_folder;
+  bool transparent = false;
+
+  void add_to(CLI::App& verb);
+  /// Throws BadRequest. `usual` is the size where neither size nor quality is given.
+  PictureSettings settings(std::optional<Size> usual = {}) const;
+  /// Puts what the flags say about colours into a scene. Throws BadRequest.
+  void apply_to(Scene& scene) const;
+};
+
+/// Says on stderr what a scene leaves open and was chosen for it.
+void say_what_was_chosen(const Scene& scene, bool quiet);
+
+}  // namespace taut

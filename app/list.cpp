@@ -1,0 +1,147 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "base/failure.h"
+#include "base/nearest.h"
+#include "exit_status.h"
+#include "methods/registry.h"
+#include "run/scene_folder.h"
+#include "scene/scene.h"
+#include "verbs.h"
+
+namespace taut {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct ListFlags {
+  std::string what;
+  bool json = false;
+};
+
+Json param_to_json(const Param& param) {
+  Json json{{"name", param.name}, {"unit", param.unit}};
+  if (param.choices.empty()) {
+    json["min"] = param.min;
+    json["max"] = param.max;
+    json["default"] = param.fallback;
+    json["whole"] = param.whole;
+  } else {
+    json["choices"] = param.choices;
+    json["default"] = param.choices.front();
+  }
+  json["help"] = param.help;
+  return json;
+}
+
+Json method_to_json(const Method& method) {
+  Json params = Json::array();
+  for (const Param& param : method.params) params.push_back(param_to_json(param));
+  return {{"name", method.name},
+          {"title", method.title},
+          {"source", method.source},
+          {"params", params},
+          {"capabilities",
+           {{"stiffness", method.can.stiffness},
+            {"rigid", method.can.rigid},
+            {"plane", method.can.plane},
+            {"drag", method.can.drag},
+            {"break_stretch", method.can.break_stretch},
+            {"break_tension", method.can.break_tension}}}};
+}
+
+void print_param(const Param& param) {
+  if (!param.choices.empty())
+    fmt::print("    {:<18} {} [{}]: {}\n", param.name, fmt::join(param.choices, " | "), param.choices.front(),
+               param.help);
+  else
+    fmt::print("    {:<18} {} to {}{}{} [{}]: {}\n", param.name, param.min, param.max,
+               param.unit.empty() ? "" : " ", param.unit, param.fallback, param.help);
+}
+
+void list_methods(bool as_json) {
+  if (as_json) {
+    Json json = Json::array();
+    for (const Method& method : all_methods()) json.push_back(method_to_json(method));
+    fmt::print("{}\n", json.dump(2));
+    return;
+  }
+  for (const Method& method : all_methods()) {
+    fmt::print("{}: {}\n    {}\n", method.name, method.title, method.source);
+    for (const Param& param : method.params) print_param(param);
+  }
+}
+
+Json scene_to_json(const std::filesystem::path& file) {
+  Json json{{"name", file.stem().string()}, {"path", file.string()}};
+  try {
+    const Scene scene = load_scene(file);
+    json["title"] = scene.title;
+    json["masses"] = scene.model.masses.size();
+    json["links"] = scene.model.links.size();
+    json["duration"] = scene.duration;
+    json["method"] = scene.settings.method;
+  } catch (const BadRequest& problem) {
+    json["error"] = problem.what();
+  }
+  return json;
+}
+
+void list_scenes(bool as_json) {
+  Json scenes = Json::array();
+  for (const std::filesystem::path& file : all_scene_files()) scenes.push_back(scene_to_json(file));
+  if (as_json) {
+    fmt::print("{}\n", scenes.dump(2));
+    return;
+  }
+  for (const Json& scene : scenes) {
+    const std::string name = scene["name"];
+    if (scene.contains("error"))
+      fmt::print("{:<26} has errors; `taut check {}` shows them\n", name, scene["path"].get<std::string>());
+    else
+      fmt::print("{:<26} {}: {} masses, {} links, {} s\n", name, scene["title"].get<std::string>(),
+                 scene["masses"].get<std::size_t>(), scene["links"].get<std::size_t>(),
+                 scene["duration"].get<double>());
+  }
+}
+
+void list_keys(bool as_json) {
+  if (as_json) throw BadRequest("the keys are listed as Markdown; --json is for scenes and methods");
+  fmt::print("{}", key_reference());
+}
+
+int list(const ListFlags& flags) {
+  constexpr std::array<std::string_view, 3> known{"scenes", "methods", "keys"};
+  if (flags.what == "scenes")
+    list_scenes(flags.json);
+  else if (flags.what == "methods")
+    list_methods(flags.json);
+  else if (flags.what == "keys")
+    list_keys(flags.json);
+  else {
+    const std::string_view nearest = nearest_name(flags.what, known);
+    throw BadRequest(fmt::format("list shows {}, not \"{}\"{}", fmt::join(known, ", "), flags.what,
+                                 nearest.empty() ? "" : fmt::format("; did you mean \"{}\"?", nearest)));
+  }
+  return exit_done;
+}
+
+}  // namespace
+
+void add_list(CLI::App& program, Action& action) {
+  CLI::App* verb =
+      program.add_subcommand("list", "What there is: scenes, methods, or the keys of a scene file");
+  const auto flags = std::make_shared<ListFlags>();
+  verb->add_option("WHAT", flags->what, "scenes, methods or keys")->required();
+  verb->add_flag("--json", flags->json, "Print an array of objects as JSON");
+  verb->footer("Example:\n  taut list methods --json");
+  verb->callback([flags, &action] { action = [flags] { return list(*flags); }; });
+}
+
+}  // namespace taut

@@ -1,0 +1,55 @@
+#include "measures_json.h"
+
+#include <fmt/format.h>
+
+namespace taut {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json energy_to_json(const Energy& energy) {
+  return {{"kinetic", energy.kinetic},
+          {"potential", energy.potential},
+          {"elastic", energy.elastic},
+          {"total", energy.total()}};
+}
+
+Json vector_to_json(const Vec3& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+Json strain_to_json(const Strain& strain, const Model& model) {
+  Json json{{"largest", strain.largest},
+            {"mean", strain.mean},
+            {"root_mean_square", strain.root_mean_square},
+            {"worst_link", nullptr}};
+  if (strain.worst_link != no_link)
+    json["worst_link"] = {model.masses.name[model.links.a[strain.worst_link]],
+                          model.masses.name[model.links.b[strain.worst_link]]};
+  return json;
+}
+
+}  // namespace
+
+Json measures_to_json(const RunMeasures& measures, const Model& model) {
+  return {{"time", measures.time},
+          {"strain", strain_to_json(measures.strain, model)},
+          {"largest_tension", measures.largest_tension},
+          {"energy_at_start", energy_to_json(measures.energy_at_start)},
+          {"energy", energy_to_json(measures.energy)},
+          {"pin_work", measures.pin_work},
+          {"load_work", measures.load_work},
+          {"broken_energy", measures.broken_energy},
+          {"energy_error", measures.energy_error},
+          {"linear_momentum", vector_to_json(measures.linear_momentum)},
+          {"angular_momentum", vector_to_json(measures.angular_momentum)},
+          {"sag", measures.sag},
+          {"fastest_speed", measures.fastest_speed},
+          {"broken_links", measures.broken_links},
+          {"rounds", measures.counts.rounds},
+          {"link_solves", measures.counts.link_solves},
+          {"factorisations", measures.counts.factorisations},
+          {"halvings", measures.counts.halvings}};
+}
+
+}  // namespace taut

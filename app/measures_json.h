@@ -1,0 +1,13 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "measure/run_measures.h"
+#include "model/model.h"
+
+namespace taut {
+
+/// What was measured of a run, for machines; every number is SI.
+nlohmann::ordered_json measures_to_json(const RunMeasures& measures, const Model& model);
+
+}  // namespace taut

@@ -1,0 +1,53 @@
+#include "run/still.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "exit_status.h"
+#include "flags.h"
+#include "values.h"
+#include "verbs.h"
+
+namespace taut {
+namespace {
+
+struct StillFlags {
+  SceneFlags scene;
+  PictureFlags picture;
+  std::string at, file;
+  bool json = false, quiet = false;
+};
+
+int still(const StillFlags& flags) {
+  Scene scene = load(flags.scene.scene, flags.scene.overrides());
+  flags.picture.apply_to(scene);
+  const double time = parse_seconds("--at", flags.at);
+  const PictureSettings settings = flags.picture.settings();
+  say_what_was_chosen(scene, flags.quiet);
+  make_still(scene, time, settings, flags.file);
+  if (flags.json)
+    fmt::print("{}\n",
+               nlohmann::ordered_json{{"scene", scene.name}, {"time", time}, {"file", flags.file}}.dump(2));
+  if (!flags.quiet) fmt::print(stderr, "{}: {} s, in {}\n", scene.name, time, flags.file);
+  return exit_done;
+}
+
+}  // namespace
+
+void add_still(CLI::App& program, Action& action) {
+  CLI::App* verb = program.add_subcommand("still", "One picture of a scene at a time");
+  const auto flags = std::make_shared<StillFlags>();
+  flags->scene.add_to(*verb);
+  verb->add_option("--at", flags->at, "The time, such as 2.5s")->required();
+  verb->add_option("-o,--output", flags->file, "The PNG file; replaced when it exists")->required();
+  flags->picture.add_to(*verb);
+  verb->add_flag("--json", flags->json, "Print what was made as JSON on stdout");
+  verb->add_flag("--quiet", flags->quiet, "No messages but errors");
+  verb->footer("Example:\n  taut still curtain --at 2.5s -o curtain.png");
+  verb->callback([flags, &action] { action = [flags] { return still(*flags); }; });
+}
+
+}  // namespace taut

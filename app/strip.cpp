@@ -1,0 +1,57 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "exit_status.h"
+#include "flags.h"
+#include "run/still.h"
+#include "values.h"
+#include "verbs.h"
+
+namespace taut {
+namespace {
+
+constexpr Size usual_panel{480, 360};
+
+struct StripFlags {
+  SceneFlags scene;
+  PictureFlags picture;
+  std::string count = "6", file;
+  bool json = false, quiet = false;
+};
+
+int strip(const StripFlags& flags) {
+  Scene scene = load(flags.scene.scene, flags.scene.overrides());
+  flags.picture.apply_to(scene);
+  const std::vector<double> times = strip_times(scene, parse_number("--count", flags.count));
+  const PictureSettings settings = flags.picture.settings(usual_panel);
+  say_what_was_chosen(scene, flags.quiet);
+  make_strip(scene, times, settings, flags.file);
+  if (flags.json)
+    fmt::print("{}\n",
+               nlohmann::ordered_json{{"scene", scene.name}, {"times", times}, {"file", flags.file}}.dump(2));
+  if (!flags.quiet) fmt::print(stderr, "{}: {} pictures, in {}\n", scene.name, times.size(), flags.file);
+  return exit_done;
+}
+
+}  // namespace
+
+void add_strip(CLI::App& program, Action& action) {
+  CLI::App* verb =
+      program.add_subcommand("strip", "Pictures of a scene from start to end, side by side in one file");
+  const auto flags = std::make_shared<StripFlags>();
+  flags->scene.add_to(*verb);
+  verb->add_option("--count", flags->count, "How many pictures")->capture_default_str();
+  verb->add_option("-o,--output", flags->file, "The PNG file; replaced when it exists")->required();
+  flags->picture.add_to(*verb);
+  verb->add_flag("--json", flags->json, "Print what was made as JSON on stdout");
+  verb->add_flag("--quiet", flags->quiet, "No messages but errors");
+  verb->footer(
+      "--size is that of one picture [480x360].\n\nExample:\n  taut strip hanging-chain --count 6 -o "
+      "chain.png");
+  verb->callback([flags, &action] { action = [flags] { return strip(*flags); }; });
+}
+
+}  // namespace taut

@@ -1,0 +1,50 @@
+#include "values.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "base/failure.h"
+
+namespace taut {
+namespace {
+
+template <class Number>
+std::optional<Number> whole_text_as(std::string_view text) {
+  Number value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+double parse_number(std::string_view flag, std::string_view text) {
+  const auto value = whole_text_as<double>(text);
+  if (!value || !std::isfinite(*value))
+    throw BadRequest(fmt::format("{} needs a number, not \"{}\"", flag, text));
+  return *value;
+}
+
+double parse_seconds(std::string_view flag, std::string_view text) {
+  const std::string_view number = text.ends_with('s') ? text.substr(0, text.size() - 1) : text;
+  const auto value = whole_text_as<double>(number);
+  if (!value || !std::isfinite(*value))
+    throw BadRequest(fmt::format("{} needs a time in seconds such as 2.5 or 2.5s, not \"{}\"", flag, text));
+  return *value;
+}
+
+Size parse_size(std::string_view flag, std::string_view text) {
+  const std::size_t cross = text.find('x');
+  const auto width = whole_text_as<int>(text.substr(0, cross));
+  const auto height =
+      cross == std::string_view::npos ? std::nullopt : whole_text_as<int>(text.substr(cross + 1));
+  if (!width || !height)
+    throw BadRequest(
+        fmt::format("{} needs a width and a height in pixels such as 1280x720, not \"{}\"", flag, text));
+  return {*width, *height};
+}
+
+}  // namespace taut

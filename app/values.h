@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "base/image.h"
+
+namespace taut {
+
+// Values of flags. Each throws BadRequest that names the flag when the text is not such a value.
+
+/// A finite number, such as 29.97.
+double parse_number(std::string_view flag, std::string_view text);
+
+/// A time in seconds, with or without its unit: 1, 2.5s.
+double parse_seconds(std::string_view flag, std::string_view text);
+
+/// A size in pixels: 1280x720.
+Size parse_size(std::string_view flag, std::string_view text);
+
+}  // namespace taut

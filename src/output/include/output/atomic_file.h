@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string_view>
+
+namespace taut {
+
+/// A file being written under a temporary name in its own folder, so that its own name never stands for half
+/// of it. Goes away with the object unless commit() was called.
+class PendingFile {
+ public:
+  /// Creates the temporary file, empty. Throws RunFailure with the system's reason when it can't.
+  explicit PendingFile(std::filesystem::path final_name);
+  ~PendingFile();
+  PendingFile(const PendingFile&) = delete;
+  PendingFile& operator=(const PendingFile&) = delete;
+
+  const std::filesystem::path& temporary_name() const { return temporary_; }
+  const std::filesystem::path& final_name() const { return final_; }
+
+  /// Writes all bytes to the end of the temporary file. Throws RunFailure with the system's reason.
+  void write(std::span<const std::byte> bytes);
+  /// Gives the file its own name, replacing what had it. Throws RunFailure with the system's reason.
+  void commit();
+
+ private:
+  std::filesystem::path final_, temporary_;
+  int descriptor_ = -1;
+};
+
+/// Writes a whole file at once: it is there complete, or as it was before. Throws RunFailure with the
+/// system's reason.
+void write_file(const std::filesystem::path& file, std::span<const std::byte> bytes);
+void write_file(const std::filesystem::path& file, std::string_view text);
+
+/// Makes a folder and those above it, where missing. Throws RunFailure with the system's reason.
+void make_folder(const std::filesystem::path& folder);
+
+}  // namespace taut

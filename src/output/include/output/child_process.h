@@ -1,0 +1,48 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+namespace taut {
+
+/// Where a program is on the PATH; nothing when it is not installed.
+std::optional<std::filesystem::path> find_program(std::string_view name);
+
+/// How a child process ended and the last of what it said on its standard error.
+struct ProcessEnd {
+  int status = 0;          ///< exit status; 128 + signal when a signal ended it
+  std::string last_lines;  ///< at most the last 2,000 characters
+};
+
+/// A program run without a shell, fed through its standard input; its standard output goes nowhere. Ended and
+/// waited for when the object goes away.
+class ChildProcess {
+ public:
+  /// Starts the program. Throws RunFailure with the system's reason when it can't.
+  ChildProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments);
+  ~ChildProcess();
+  ChildProcess(const ChildProcess&) = delete;
+  ChildProcess& operator=(const ChildProcess&) = delete;
+
+  /// Feeds all bytes to the program's standard input. False when it no longer reads them.
+  bool feed(std::span<const std::byte> bytes);
+  /// Closes the program's standard input and waits for its end.
+  ProcessEnd finish();
+
+ private:
+  pid_t process_ = -1;
+  int input_ = -1;
+  int complaints_ = -1;
+  std::string last_lines_;
+  std::thread reader_;  ///< empties the program's standard error, which would block it when full
+};
+
+}  // namespace taut

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include "model/model.h"
+#include "model/state.h"
+
+namespace taut {
+
+/// First line of the table of masses.
+std::string mass_table_header();
+
+/// A line a mass: frame,time,mass,name,x,y,z,vx,vy,vz; SI, every number with as many digits as tell it from
+/// its neighbours.
+std::string mass_table_rows(const Model& model, const State& state, int frame);
+
+/// First line of the table of links.
+std::string link_table_header();
+
+/// A line a link: frame,time,link,a,b,length,strain,tension,broken_at. broken_at is empty while the link is
+/// whole; strain and tension are empty from then on.
+std::string link_table_rows(const Model& model, const State& state, int frame);
+
+}  // namespace taut

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "base/image.h"
+#include "output/atomic_file.h"
+#include "output/child_process.h"
+
+namespace taut {
+
+/// A film to be made.
+struct FilmPlan {
+  std::filesystem::path file;  ///< its ending chooses the format: .mp4, .webm, .gif or .webp
+  Size size;
+  double frames_per_second = 30.0;
+  bool transparent = false;  ///< frames are RGBA instead of RGB
+};
+
+/// Throws BadRequest when the format does not exist or can't hold films of that size or with transparency.
+void check_film_plan(const FilmPlan& plan);
+
+/// A film that grows frame by frame, encoded by ffmpeg while it grows. It gets its name only when finished;
+/// until then nothing of that name is touched.
+class Film {
+ public:
+  /// Starts the encoder. Throws BadRequest as check_film_plan() does, and RunFailure when ffmpeg is not
+  /// installed or the folder can't be written.
+  explicit Film(const FilmPlan& plan);
+
+  /// Adds the next frame, of the plan's size. Throws RunFailure with the encoder's last lines when it gave
+  /// up.
+  void add(const Image& frame);
+  /// Waits for the encoder and gives the film its name. Throws RunFailure with the encoder's last lines.
+  void finish();
+
+ private:
+  [[noreturn]] void fail(const ProcessEnd& end) const;
+
+  PendingFile file_;
+  ChildProcess encoder_;
+};
+
+/// Throws RunFailure when the program that encodes films is not installed.
+void require_film_encoder();
+
+}  // namespace taut

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "run/painter.h"
+#include "run/progress.h"
+#include "run/simulation.h"
+#include "scene/scene.h"
+
+namespace taut {
+
+/// What is to be rendered of a scene, and where to.
+struct RenderRequest {
+  std::optional<std::filesystem::path> folder;  ///< for frames and their manifest; absent: no frames
+  std::optional<std::filesystem::path> film;
+  std::optional<std::string> selection;  ///< such as "1-100:2,150"; absent: every frame
+  double frames_per_second = 30.0;
+  PictureSettings picture;
+  bool overwrite = false;
+};
+
+/// What came of it.
+struct RenderOutcome {
+  std::size_t asked = 0;  ///< frames
+  std::size_t shown = 0;  ///< of those, the ones that are there now or went into the film
+  std::size_t kept = 0;   ///< of those, the ones that were there before
+  bool film_kept = false;
+  bool stopped = false;  ///< told to stop before the end; no film then
+  double seconds = 0.0;
+  std::string inputs;                   ///< hash of everything that decides what the frames look like
+  std::optional<RunMeasures> measures;  ///< of the last frame's state; absent when nothing was simulated
+  std::string last_state_hash;          ///< of the last frame's state; empty when nothing was simulated
+};
+
+/// Renders a scene to frames and a film: simulation, drawing, compression and film each in a thread of their
+/// own. What is there already from the same inputs is kept. Throws BadRequest and OutputConflict before
+/// anything is written, RunFailure for everything later (frames made until then stay, a film does not).
+RenderOutcome render_frames(const Scene& scene, const RenderRequest& request, Progress& progress,
+                            const StopTest& stop = {});
+
+}  // namespace taut

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "base/image.h"
+#include "render/gl_context.h"
+#include "render/renderer.h"
+#include "scene/scene.h"
+
+namespace taut {
+
+/// How pictures are to be made, beyond what the scene says.
+struct PictureSettings {
+  RenderSettings render;
+  GlBackend backend = GlBackend::automatic;
+  std::filesystem::path shader_folder;  ///< takes the place of the built-in shaders; empty: those
+};
+
+/// Throws BadRequest for a size that is not from 16 to 16384 pixels each way.
+void check_size(Size size);
+
+/// The settings as text in which any difference that shows in a picture shows.
+std::string settings_text(const PictureSettings& settings);
+
+/// Draws the states of one scene. To be used in the thread that made it.
+class Painter {
+ public:
+  /// Refers to the scene from then on. Throws RunFailure when there is no way to draw.
+  Painter(const Scene& scene, const PictureSettings& settings);
+  ~Painter();
+  Painter(const Painter&) = delete;
+  Painter& operator=(const Painter&) = delete;
+
+  Image draw(const State& state);
+
+ private:
+  struct Tools;
+  const Scene& scene_;
+  std::unique_ptr<Tools> tools_;
+};
+
+}  // namespace taut

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "measure/reference.h"
+#include "scene/scene.h"
+
+namespace taut {
+
+/// The folder for references: TAUT_CACHE, or taut in XDG_CACHE_HOME, or in ~/.cache.
+std::filesystem::path reference_folder();
+
+/// make_reference() for a scene, kept in a file whose name covers the scene's physics, the times, the
+/// accuracy and the build; a second call with the same reads that file. A folder that can't be written only
+/// costs the time. Refusals are kept too.
+Reference cached_reference(const Scene& scene, const std::vector<double>& times, double accuracy,
+                           const std::filesystem::path& folder = reference_folder());
+
+}  // namespace taut

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace taut {
+
+/// The folders in which bare scene names are looked up, in this order: what TAUT_SCENES says, the scenes that
+/// came with the program's source, ./scenes. Only those that exist.
+std::vector<std::filesystem::path> scene_folders();
+
+/// The scene files of all those folders, each name once, in alphabetical order.
+std::vector<std::filesystem::path> all_scene_files();
+
+/// The file that a scene argument means: a path, or the bare name of a file in one of the scene folders.
+/// Throws BadRequest, naming the nearest scene, when there is none, or when it is no regular file.
+std::filesystem::path find_scene(const std::string& argument);
+
+}  // namespace taut

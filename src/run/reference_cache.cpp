@@ -1,0 +1,110 @@
+#include "run/reference_cache.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "base/failure.h"
+#include "base/hash.h"
+#include "output/atomic_file.h"
+#include "run/build_info.h"
+
+namespace taut {
+namespace {
+
+using Json = nlohmann::json;
+
+// The physics of the scene alone: what it is solved with and how it is looked at make no difference to the
+// truth.
+std::string key_of(const Scene& scene, const std::vector<double>& times, double accuracy) {
+  Scene physics;
+  physics.title = scene.title;
+  physics.duration = scene.duration;
+  physics.settings = Settings{"rattle", {}};
+  physics.description = scene.description;
+  Hash hash;
+  hash.add(resolved_toml(physics)).add(build_info()).add(std::span<const double>(times));
+  return hash.add(std::span(&accuracy, 1)).hex();
+}
+
+Json vectors_to_json(const Vectors& v) {
+  return {v.x, v.y, v.z};
+}
+
+Vectors vectors_from_json(const Json& json) {
+  Vectors v;
+  json.at(0).get_to(v.x);
+  json.at(1).get_to(v.y);
+  json.at(2).get_to(v.z);
+  return v;
+}
+
+Json to_json(const Reference& reference) {
+  Json states = Json::array();
+  for (const State& state : reference.states)
+    states.push_back({{"time", state.time},
+                      {"position", vectors_to_json(state.position)},
+                      {"velocity", vectors_to_json(state.velocity)},
+                      {"tension", state.tension}});
+  return {{"states", std::move(states)},
+          {"uncertainty", reference.uncertainty},
+          {"certified_until", reference.certified_until},
+          {"how", reference.how},
+          {"refusal", reference.refusal}};
+}
+
+Reference from_json(const Json& json, const State& start) {
+  Reference reference;
+  for (const Json& entry : json.at("states")) {
+    State state = start;
+    entry.at("time").get_to(state.time);
+    state.position = vectors_from_json(entry.at("position"));
+    state.velocity = vectors_from_json(entry.at("velocity"));
+    entry.at("tension").get_to(state.tension);
+    reference.states.push_back(std::move(state));
+  }
+  json.at("uncertainty").get_to(reference.uncertainty);
+  json.at("certified_until").get_to(reference.certified_until);
+  json.at("how").get_to(reference.how);
+  json.at("refusal").get_to(reference.refusal);
+  return reference;
+}
+
+// What the file holds; nothing where there is none or it is damaged.
+std::optional<Reference> read(const std::filesystem::path& file, const State& start) {
+  std::ifstream stream(file);
+  if (!stream) return std::nullopt;
+  try {
+    return from_json(Json::parse(stream), start);
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+std::filesystem::path reference_folder() {
+  if (const char* folder = std::getenv("TAUT_CACHE"); folder != nullptr && *folder != '\0') return folder;
+  if (const char* caches = std::getenv("XDG_CACHE_HOME"); caches != nullptr && *caches != '\0')
+    return std::filesystem::path(caches) / "taut";
+  if (const char* home = std::getenv("HOME"); home != nullptr && *home != '\0')
+    return std::filesystem::path(home) / ".cache" / "taut";
+  return std::filesystem::temp_directory_path() / "taut";
+}
+
+Reference cached_reference(const Scene& scene, const std::vector<double>& times, double accuracy,
+                           const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / (key_of(scene, times, accuracy) + ".json");
+  if (std::optional<Reference> known = read(file, scene.start)) return *std::move(known);
+  Reference reference = make_reference(scene.model, scene.start, times, accuracy);
+  try {
+    make_folder(folder);
+    write_file(file, to_json(reference).dump());
+  } catch (const RunFailure&) {
+    // A cache that can't be written is no reason to withhold what was worked out.
+  }
+  return reference;
+}
+
+}  // namespace taut

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "output/film.h"
+#include "run/frame_folder.h"
+#include "run/frames.h"
+
+namespace taut {
+
+/// A request, checked against the scene and against what is on disk.
+struct RenderPlan {
+  std::vector<int> frames;  ///< rising
+  std::string inputs;       ///< hash of everything that decides what the frames look like
+  std::optional<FrameFolder> folder;
+  bool make_film = false;  ///< one is asked for and not there yet
+  FilmRecord film;         ///< how the film will stand in the manifest
+
+  /// Whether every frame that is asked for is there, and the film too.
+  bool complete() const;
+};
+
+/// The film that a request asks for; only for one that does.
+FilmPlan film_plan(const RenderRequest& request);
+
+/// Checks a request. Writes nothing. Throws BadRequest, OutputConflict, and RunFailure where the program for
+/// films is missing.
+RenderPlan make_render_plan(const Scene& scene, const RenderRequest& request);
+
+}  // namespace taut

@@ -1,0 +1,97 @@
+#include <gtest/gtest.h>
+
+#include <ostream>
+#include <string>
+
+#include "program.h"
+
+// Every scene that can't be read ends with exit status 2, a message that says what is wrong, and nothing
+// written.
+
+namespace taut::testing {
+namespace {
+
+struct BadScene {
+  std::string name;
+  std::string text;
+  std::string said;  ///< part of the message
+};
+
+void PrintTo(const BadScene& scene, std::ostream* out) {
+  *out << scene.name;
+}
+
+class BadSceneTest : public ::testing::TestWithParam<BadScene> {};
+
+std::string replaced(const std::string& from, const std::string& to) {
+  std::string text = small_scene();
+  return text.replace(text.find(from), from.size(), to);
+}
+
+std::string deep_key() {
+  std::string key = "a";
+  for (int i = 1; i < 60'000; ++i) key += ".a";
+  return key + " = 1\n";
+}
+
+TEST_P(BadSceneTest, EndsWithStatus2AndNothingWritten) {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("bad.toml", GetParam().text);
+  for (const std::string verb : {"render", "check"}) {
+    std::vector<std::string> words{verb, scene};
+    if (verb == "render") words.insert(words.end(), {"-o", folder / "frames", "--film", folder / "film.mp4"});
+    const Ran ran = taut(words);
+    EXPECT_EQ(ran.status, 2) << verb << ": " << ran.err;
+    EXPECT_NE(ran.err.find(GetParam().said), std::string::npos) << verb << ": " << ran.err;
+    EXPECT_EQ(ran.out, "") << verb;
+    EXPECT_LT(ran.err.size(), 4000U) << verb << ": one clear message";
+    EXPECT_EQ(folder.entries(), 1U) << verb << ": nothing but the scene itself";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, BadSceneTest,
+    ::testing::Values(
+        BadScene{"Empty", "", "bad.toml"}, BadScene{"SyntaxError", "[world\nduration = 1\n", "bad.toml:1:"},
+        BadScene{"UnknownKey", replaced("duration", "duratoin"), "did you mean \"duration\""},
+        BadScene{"UnknownSection", replaced("[world]", "[wordl]"), "world"},
+        BadScene{"DeepKey", deep_key(), "bad.toml"},
+        BadScene{"TooLarge", small_scene() + "#" + std::string(9 << 20, 'x'), "8 MiB"},
+        BadScene{"WrongType", replaced("1.0\n[solve]", "\"long\"\n[solve]"), "duration"},
+        BadScene{"NotANumber", replaced("mass = 1.0", "mass = nan"), "mass"},
+        BadScene{"Infinite", replaced("mass = 1.0", "mass = inf"), "mass"},
+        BadScene{"NegativeMass", replaced("mass = 1.0", "mass = -1.0"), "mass"},
+        BadScene{"BreakStretchOfOne", small_scene() + "break_stretch = 1.0\n", "break_stretch"},
+        BadScene{"LinkToMissingMass", replaced("b = \"bob\"", "b = \"bib\""), "did you mean \"bob\""},
+        BadScene{"LinkToItself", replaced("b = \"bob\"", "b = \"nail\""), "nail"},
+        BadScene{"HugeSheet",
+                 "[[sheet]]\nname = \"cloth\"\nrows = 9000000\ncolumns = 9000000\nfrom = [0, 1, 0]\n"
+                 "to = [1, 1, 0]\ndown = [0, -1, 0]\n",
+                 "this machine has"},
+        BadScene{"UnknownMethod", replaced("\"xpbd\"", "\"xbpd\""), "did you mean \"xpbd\""},
+        BadScene{"ParameterOutOfRange", replaced("passes = 1", "passes = -3"), "passes"},
+        BadScene{"KeyOfAnotherMethod", replaced("passes = 1", "velocities = \"kept\""), "velocities"},
+        BadScene{"NoFrames", replaced("duration = 1.0", "duration = 0.0"), "duration"}),
+    [](const auto& test) { return test.param.name; });
+
+TEST(MissingScene, NamesTheFile) {
+  const Ran ran = taut({"check", "nowhere/at-all.toml"});
+  EXPECT_EQ(ran.status, 2);
+  EXPECT_NE(ran.err.find("there is no scene file nowhere/at-all.toml"), std::string::npos) << ran.err;
+}
+
+TEST(MissingScene, OffersTheNearestName) {
+  const Ran ran = taut({"check", "hanging-chian"});
+  EXPECT_EQ(ran.status, 2);
+  EXPECT_NE(ran.err.find("did you mean \"hanging-chain\"?"), std::string::npos) << ran.err;
+}
+
+TEST(MissingScene, AFolderIsNoScene) {
+  const TemporaryFolder folder;
+  const Ran ran = taut({"check", folder.path().string() + "/"});
+  EXPECT_EQ(ran.status, 2);
+  EXPECT_NE(ran.err.find("is a folder"), std::string::npos) << ran.err;
+}
+
+}  // namespace
+}  // namespace taut::testing

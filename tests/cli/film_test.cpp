@@ -1,0 +1,123 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "program.h"
+
+namespace taut::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+Json probe(const std::string& film) {
+  const Ran ran = run_program("ffprobe", {"-v", "error", "-count_frames", "-select_streams", "v:0",
+                                          "-show_streams", "-show_format", "-of", "json", film});
+  EXPECT_EQ(ran.status, 0) << ran.err;
+  return Json::parse(ran.out);
+}
+
+class FilmTest : public ::testing::Test {
+ protected:
+  Ran render(const std::vector<std::string>& more) const {
+    std::vector<std::string> words{"render", scene_, "-o", folder_ / "frames", "--size", "64x48", "--json"};
+    words.insert(words.end(), more.begin(), more.end());
+    return taut(words);
+  }
+
+  TemporaryFolder folder_;
+  std::string scene_ = folder_.write("small.toml", small_scene());
+};
+
+TEST_F(FilmTest, HasTheRightSizeRateAndLength) {
+  for (const std::string ending : {"mp4", "webm"}) {
+    const std::string film = folder_ / ("film." + ending);
+    ASSERT_EQ(render({"--film", film}).status, 0);
+    const Json stream = probe(film)["streams"][0];
+    EXPECT_EQ(stream["width"], 64) << ending;
+    EXPECT_EQ(stream["height"], 48) << ending;
+    EXPECT_EQ(stream["r_frame_rate"], "30/1") << ending;
+    EXPECT_EQ(stream["nb_read_frames"], "30") << ending;
+    EXPECT_EQ(stream["pix_fmt"], "yuv420p") << ending;
+    EXPECT_EQ(stream["color_space"], "bt709") << ending;
+    EXPECT_EQ(stream["color_range"], "tv") << ending;
+    EXPECT_NEAR(std::stod(probe(film)["format"]["duration"].get<std::string>()), 1.0, 0.04) << ending;
+  }
+}
+
+TEST_F(FilmTest, GifHasAllFrames) {
+  const std::string film = folder_ / "film.gif";
+  ASSERT_EQ(render({"--film", film, "--fps", "20"}).status, 0);
+  const Json stream = probe(film)["streams"][0];
+  EXPECT_EQ(stream["nb_read_frames"], "20");
+  EXPECT_EQ(stream["r_frame_rate"], "20/1");
+}
+
+TEST_F(FilmTest, WebpIsAnAnimation) {
+  const std::string film = folder_ / "film.webp";
+  ASSERT_EQ(render({"--film", film}).status, 0);
+  const std::string bytes = read_file(film);
+  EXPECT_EQ(bytes.substr(0, 4) + bytes.substr(8, 4), "RIFFWEBP");
+  EXPECT_NE(bytes.find("ANMF"), std::string::npos);
+}
+
+TEST_F(FilmTest, NeedsNoFrames) {
+  const std::string film = folder_ / "film.mp4";
+  const Ran ran =
+      taut({"render", scene_, "--no-frames", "--film", film, "--size", "64x48"}, {}, folder_.path());
+  EXPECT_EQ(ran.status, 0) << ran.err;
+  EXPECT_EQ(folder_.entries(), 2U) << "the scene and the film";
+}
+
+TEST_F(FilmTest, ShowsTheFramesInOrder) {
+  const std::string film = folder_ / "film.mp4";
+  ASSERT_EQ(render({"--film", film}).status, 0);
+  // The film as PNG frames again, and how far each is from the frame of its number and from the others.
+  ASSERT_EQ(run_program("ffmpeg", {"-v", "error", "-i", film, folder_ / "film-%06d.png"}).status, 0);
+  const auto difference = [&](const char* filmed, const char* frame) {
+    const Ran ran =
+        run_program("ffmpeg", {"-v", "info", "-i", folder_ / (std::string("film-") + filmed + ".png"), "-i",
+                               folder_ / (std::string("frames/frame-") + frame + ".png"), "-lavfi", "psnr",
+                               "-f", "null", "-"});
+    const std::size_t at = ran.err.find("average:");
+    EXPECT_NE(at, std::string::npos) << ran.err;
+    return std::stod(ran.err.substr(at + 8));
+  };
+  for (const char* number : {"000001", "000015", "000030"}) {
+    EXPECT_GT(difference(number, number), 30.0) << number;
+    for (const char* other : {"000001", "000015", "000030"}) {
+      if (std::string(other) == number) continue;
+      EXPECT_LT(difference(number, other), difference(number, number)) << number << ' ' << other;
+    }
+  }
+}
+
+TEST_F(FilmTest, IsKeptWhenItIsThereAlready) {
+  const std::string film = folder_ / "film.mp4";
+  ASSERT_EQ(render({"--film", film}).status, 0);
+  const auto written = fs::last_write_time(film);
+  ASSERT_EQ(render({"--film", film}).status, 0);
+  EXPECT_EQ(fs::last_write_time(film), written);
+  fs::remove(film);
+  const Ran again = render({"--film", film});
+  EXPECT_EQ(again.status, 0) << again.err;
+  EXPECT_EQ(Json::parse(again.out)["frames"]["kept"], 30) << "the frames are not written again for it";
+  EXPECT_EQ(probe(film)["streams"][0]["nb_read_frames"], "30");
+}
+
+TEST_F(FilmTest, OfUnknownOriginIsAConflict) {
+  const std::string film = folder_.write("film.mp4", "a holiday");
+  for (const std::string frames : {"--no-frames", "--json"}) {
+    const Ran ran = render({"--film", film, frames});
+    EXPECT_EQ(ran.status, 4) << ran.err;
+    EXPECT_EQ(read_file(film), "a holiday");
+  }
+  EXPECT_EQ(render({"--film", film, "--overwrite"}).status, 0);
+  EXPECT_EQ(probe(film)["streams"][0]["nb_read_frames"], "30");
+}
+
+}  // namespace
+}  // namespace taut::testing

@@ -1,0 +1,134 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "program.h"
+
+// What becomes of a run that does not come to its end.
+
+namespace taut::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+// Starts a long render with a film, sends it a signal once its fifth frame is there, and waits for it.
+Ran interrupted_render(const TemporaryFolder& folder, const std::string& signal) {
+  const std::string scene = folder.write("small.toml", small_scene());
+  const std::string script = "'" TAUT_PROGRAM "' render '" + scene + "' --set world.duration=3000 -o '" +
+                             (folder / "frames") + "' --film '" + (folder / "film.mp4") +
+                             "' --size 64x48 & process=$!; while [ ! -e '" + (folder / "frames") +
+                             "/frame-000005.png' ]; do sleep 0.02; done; kill -" + signal +
+                             " $process; wait $process";
+  return run_program("/bin/sh", {"-c", script});
+}
+
+std::size_t count_of(const fs::path& folder, const std::string& ending) {
+  std::size_t count = 0;
+  for (const auto& entry : fs::directory_iterator(folder)) count += entry.path().extension() == ending;
+  return count;
+}
+
+class InterruptedTest : public ::testing::TestWithParam<std::pair<const char*, int>> {};
+
+TEST_P(InterruptedTest, KeepsWholeFramesAndSaysSo) {
+  const TemporaryFolder folder;
+  const auto [signal, status] = GetParam();
+  const Ran ran = interrupted_render(folder, signal);
+  EXPECT_EQ(ran.status, status) << ran.err;
+  const Json manifest = Json::parse(read_file(folder / "frames/manifest.json"));
+  EXPECT_GE(manifest["frames"].size(), 5U);
+  EXPECT_EQ(count_of(folder / "frames", ".png"), manifest["frames"].size());
+  EXPECT_EQ(count_of(folder / "frames", ".part"), 0U);
+  EXPECT_FALSE(fs::exists(folder / "film.mp4"));
+  EXPECT_EQ(folder.entries(), 2U) << "the scene and the frames, and nothing half made";
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, InterruptedTest,
+                         ::testing::Values(std::pair("INT", 130), std::pair("TERM", 143)),
+                         [](const auto& test) { return std::string(test.param.first); });
+
+TEST(Killed, TheNextRunGoesOnFromTheManifest) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(interrupted_render(folder, "KILL").status, 137);
+  const Ran again = taut({"render", folder / "small.toml", "--set", "world.duration=3000", "-o",
+                          folder / "frames", "--size", "64x48", "--frames", "1-40"});
+  EXPECT_EQ(again.status, 0) << again.err;
+  EXPECT_GE(count_of(folder / "frames", ".png"), 40U);
+}
+
+// A row of rigid links that is taut between two pins leaves a direct solver nothing to solve.
+std::string unsolvable_scene() {
+  return small_scene() + R"(
+[[mass]]
+name = "second-nail"
+position = [2, 2, 0]
+pinned = true
+[[link]]
+a = "bob"
+b = "second-nail"
+)";
+}
+
+TEST(Failed, AStepThatFailsKeepsTheFramesBeforeIt) {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("taut.toml", unsolvable_scene());
+  const Ran ran = taut({"render", scene, "-o", folder / "frames", "--film", folder / "film.mp4", "--size",
+                        "64x48", "--method", "rattle"});
+  EXPECT_EQ(ran.status, 1) << ran.err;
+  EXPECT_NE(ran.err.find("can't be solved with method rattle"), std::string::npos) << ran.err;
+  EXPECT_EQ(count_of(folder / "frames", ".png"), 1U) << "the one at the start";
+  EXPECT_FALSE(fs::exists(folder / "film.mp4"));
+}
+
+// Places that can't be written, even by root.
+TEST(Failed, AnOutputThatCannotBeWrittenCostsNoSimulation) {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("small.toml", small_scene());
+  const std::string file = folder.write("file", "");
+  // Simulating this would take longer than the test may.
+  const std::string endless = "world.duration=3600";
+  const std::string fine = "steps_per_second=100000";
+  for (const std::string& place : {file + "/below", std::string("/proc/frames")}) {
+    const Ran frames = taut({"render", scene, "--set", endless, "--set", fine, "-o", place});
+    EXPECT_EQ(frames.status, 1) << frames.err;
+    EXPECT_NE(frames.err.find("can't make the folder " + place), std::string::npos) << frames.err;
+    const Ran film =
+        taut({"render", scene, "--set", endless, "--set", fine, "--no-frames", "--film", place + "/a.mp4"});
+    EXPECT_EQ(film.status, 1) << film.err;
+    EXPECT_NE(film.err.find("can't make the folder " + place), std::string::npos) << film.err;
+  }
+  const Ran still =
+      taut({"still", scene, "--set", endless, "--set", fine, "--at", "3599", "-o", file + "/a.png"});
+  EXPECT_EQ(still.status, 1) << still.err;
+  EXPECT_NE(still.err.find("can't write"), std::string::npos) << still.err;
+}
+
+TEST(Failed, AMissingFilmEncoderCostsNoSimulationAndWritesNothing) {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("small.toml", small_scene());
+  const Ran ran = taut({"render", scene, "--set", "world.duration=3600", "--set", "steps_per_second=100000",
+                        "-o", folder / "frames", "--film", folder / "film.mp4"},
+                       {{"PATH", "/nowhere"}});
+  EXPECT_EQ(ran.status, 1) << ran.err;
+  EXPECT_NE(ran.err.find("ffmpeg"), std::string::npos) << ran.err;
+  EXPECT_EQ(folder.entries(), 1U);
+}
+
+TEST(Failed, AnEncoderThatGivesUpIsQuotedAndLeavesNoFilm) {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("small.toml", small_scene());
+  const std::string encoder =
+      folder.write("ffmpeg", "#!/bin/sh\necho 'no room left in this encoder' >&2\nexit 1\n");
+  fs::permissions(encoder, fs::perms::owner_all);
+  const Ran ran = taut({"render", scene, "--no-frames", "--film", folder / "film.mp4", "--size", "64x48"},
+                       {{"PATH", folder.path().string()}});
+  EXPECT_EQ(ran.status, 1) << ran.err;
+  EXPECT_NE(ran.err.find("no room left in this encoder"), std::string::npos) << ran.err;
+  EXPECT_EQ(folder.entries(), 2U);
+}
+
+}  // namespace
+}  // namespace taut::testing

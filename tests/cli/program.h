@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "temporary_folder.h"
+
+namespace taut::testing {
+
+/// What a run of a program said, and how it ended.
+struct Ran {
+  int status = -1;  ///< exit status; 128 + signal when a signal ended it
+  std::string out, err;
+};
+
+/// Changes to the environment of a program: name and value.
+using Environment = std::vector<std::pair<std::string, std::string>>;
+
+/// Runs a program to its end and collects what it says.
+Ran run_program(const std::string& program, const std::vector<std::string>& arguments,
+                const Environment& environment = {}, const std::filesystem::path& folder = {});
+
+/// The same for taut itself.
+Ran taut(const std::vector<std::string>& arguments, const Environment& environment = {},
+         const std::filesystem::path& folder = {});
+
+/// A scene with one swinging mass that is quick to simulate and to draw: one second long.
+std::string small_scene();
+
+}  // namespace taut::testing

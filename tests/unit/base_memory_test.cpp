@@ -1,0 +1,27 @@
+#include <gtest/gtest.h>
+
+#include "base/memory.h"
+
+namespace taut {
+namespace {
+
+TEST(FormatBytes, UsesTheUnitThatLeavesLessThanAThousand) {
+  EXPECT_EQ(format_bytes(0.0), "0 B");
+  EXPECT_EQ(format_bytes(999.0), "999 B");
+  EXPECT_EQ(format_bytes(1000.0), "1 kB");
+  EXPECT_EQ(format_bytes(3.2e9), "3.2 GB");
+  EXPECT_EQ(format_bytes(123456.0), "123 kB");
+}
+
+TEST(FormatBytes, LargestUnitTakesTheRest) {
+  EXPECT_EQ(format_bytes(5e20), "500 EB");
+  EXPECT_EQ(format_bytes(5e21), "5e+03 EB");
+}
+
+TEST(PhysicalMemory, IsThatOfARealMachine) {
+  EXPECT_GT(physical_memory(), 64e6);
+  EXPECT_LT(physical_memory(), 1e15);
+}
+
+}  // namespace
+}  // namespace taut

@@ -1,0 +1,73 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+
+// Which folder of src/ may include which: the directions that keep each part ignorant of what it need not
+// know.
+
+namespace taut {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::map<std::string, std::set<std::string>> may_use{
+    {"base", {}},
+    {"model", {"base"}},
+    {"methods", {"base", "model"}},
+    {"scene", {"base", "model", "methods"}},
+    {"measure", {"base", "model", "methods"}},
+    {"render", {"base", "model"}},
+    {"output", {"base", "model"}},
+    {"run", {"base", "model", "methods", "scene", "measure", "render", "output"}},
+};
+
+struct Include {
+  fs::path file;
+  std::string folder;  // of src/ that the file belongs to
+  std::string name;    // between the quotes
+};
+
+std::vector<Include> quoted_includes() {
+  const std::regex pattern(R"re(^\s*#\s*include\s*"([^"]*)")re");
+  std::vector<Include> found;
+  const fs::path root = TAUT_SOURCE_DIR "/src";
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root)) {
+    if (entry.path().extension() != ".h" && entry.path().extension() != ".cpp") continue;
+    const std::string folder = entry.path().lexically_relative(root).begin()->string();
+    std::ifstream in(entry.path());
+    for (std::string line; std::getline(in, line);) {
+      std::smatch match;
+      if (std::regex_search(line, match, pattern)) found.push_back({entry.path(), folder, match[1]});
+    }
+  }
+  return found;
+}
+
+TEST(Layering, EveryFolderOfTheSourceIsKnownHere) {
+  std::set<std::string> there, known;
+  for (const fs::directory_entry& entry : fs::directory_iterator(TAUT_SOURCE_DIR "/src"))
+    if (entry.is_directory()) there.insert(entry.path().filename().string());
+  for (const auto& [folder, others] : may_use) known.insert(folder);
+  EXPECT_EQ(there, known);
+}
+
+TEST(Layering, IncludesGoOnlyWhereTheyMay) {
+  const std::vector<Include> includes = quoted_includes();
+  EXPECT_GT(includes.size(), 50U) << "the search itself is broken";
+  for (const Include& include : includes) {
+    EXPECT_EQ(include.name.find("../"), std::string::npos) << include.file << ": " << include.name;
+    const std::size_t slash = include.name.find('/');
+    if (slash == std::string::npos) continue;  // a private header beside the file
+    const std::string target = include.name.substr(0, slash);
+    EXPECT_TRUE(target == include.folder || may_use.at(include.folder).contains(target))
+        << include.file << " may not include " << include.name;
+  }
+}
+
+}  // namespace
+}  // namespace taut

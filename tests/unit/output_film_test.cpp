@@ -1,0 +1,58 @@
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "base/failure.h"
+#include "output/film.h"
+#include "temporary_folder.h"
+
+namespace taut {
+namespace {
+
+std::string problem_of(const FilmPlan& plan) {
+  try {
+    check_film_plan(plan);
+  } catch (const BadRequest& problem) {
+    return problem.what();
+  }
+  return "";
+}
+
+TEST(FilmPlan, EveryEndingIsFineWithEvenSizes) {
+  for (const char* file : {"a.mp4", "a.webm", "a.gif", "a.webp", "A.MP4"})
+    EXPECT_EQ(problem_of({file, {64, 48}, 30.0, false}), "") << file;
+}
+
+TEST(FilmPlan, OddSizesAreExplainedWhereColourIsStoredForSquares) {
+  EXPECT_EQ(problem_of({"a.mp4", {65, 49}, 30.0, false}),
+            ".mp4 films store colour for squares of 2×2 pixels, so width and height have to be even: 66x50 "
+            "instead of 65x49");
+  EXPECT_NE(problem_of({"a.webm", {64, 49}, 30.0, false}), "");
+  EXPECT_EQ(problem_of({"a.gif", {65, 49}, 30.0, false}), "");
+  EXPECT_EQ(problem_of({"a.webp", {65, 49}, 30.0, false}), "");
+}
+
+TEST(FilmPlan, UnknownEndingsAreToldTheKnownOnes) {
+  EXPECT_EQ(problem_of({"a.avi", {64, 48}, 30.0, false}),
+            "a film's name has to end in one of .mp4, .webm, .gif, .webp; \"a.avi\" does not");
+  EXPECT_NE(problem_of({"mp4", {64, 48}, 30.0, false}), "");
+}
+
+TEST(FilmPlan, TransparencyNeedsAFormatThatHasIt) {
+  EXPECT_EQ(problem_of({"a.webm", {64, 48}, 30.0, true}), "");
+  EXPECT_EQ(problem_of({"a.webp", {64, 48}, 30.0, true}), "");
+  EXPECT_EQ(problem_of({"a.mp4", {64, 48}, 30.0, true}),
+            ".mp4 films can't be transparent; .webm and .webp can");
+}
+
+TEST(Film, AnAbandonedOneLeavesNothing) {
+  const testing::TemporaryFolder folder;
+  {
+    Film film({folder / "a.mp4", {64, 48}, 30.0, false});
+    film.add(Image::blank({64, 48}, 3));
+  }
+  EXPECT_EQ(folder.entries(), 0U);
+}
+
+}  // namespace
+}  // namespace taut
