@@ -12,6 +12,7 @@
 #include "flags.h"
 #include "measure/expectation.h"
 #include "measures_json.h"
+#include "run/reference_cache.h"
 #include "run/signals.h"
 #include "run/simulation.h"
 #include "verbs.h"
@@ -24,7 +25,7 @@ using Json = nlohmann::ordered_json;
 struct CheckFlags {
   std::vector<std::string> scenes;
   SceneFlags changes;
-  bool run = false, json = false, resolved = false, quiet = false;
+  bool run = false, reference = false, json = false, resolved = false, quiet = false;
 };
 
 // What came of checking one scene.
@@ -36,6 +37,22 @@ struct Verdict {
 
 Json finding_to_json(const Finding& finding) {
   return {{"key", finding.key}, {"holds", finding.holds}, {"text", finding.text}};
+}
+
+// How far the run is from what is certified to be true, at the latest time where anything is.
+Json error_against_reference(const Scene& scene) {
+  constexpr int instants = 8;
+  const double accuracy = 1e-6 * total_link_length(scene.model);
+  std::vector<double> times;
+  for (int i = 1; i <= instants; ++i) times.push_back(scene.duration * i / instants);
+  const Reference reference = cached_reference(scene, times, accuracy);
+  if (!reference.certified()) return {{"refused", reference.refusal}};
+  Simulation simulation(scene);
+  const std::optional<State> state = simulation.at(reference.certified_until);
+  return {{"time", reference.certified_until},
+          {"position_error", position_error(*state, reference.states.back())},
+          {"uncertainty", reference.uncertainty},
+          {"how", reference.how}};
 }
 
 // Simulates the scene to its end and tests what it expects there.
@@ -75,6 +92,7 @@ Verdict check_scene(const std::string& argument, const CheckFlags& flags, const 
     say_what_was_chosen(scene, flags.quiet);
     describe(scene, verdict.json);
     if (flags.resolved) verdict.json["resolved"] = resolved_toml(scene);
+    if (flags.reference) verdict.json["reference"] = error_against_reference(scene);
     if (flags.run)
       check_run(scene, stop, verdict);
     else
@@ -91,6 +109,15 @@ Verdict check_scene(const std::string& argument, const CheckFlags& flags, const 
   return verdict;
 }
 
+void print_reference(const Json& reference) {
+  if (reference.contains("refused"))
+    fmt::print("  no certified reference: {}\n", reference["refused"].get<std::string>());
+  else
+    fmt::print("  position error {:.3g} m at {:.4g} s, against {}\n",
+               reference["position_error"].get<double>(), reference["time"].get<double>(),
+               reference["how"].get<std::string>());
+}
+
 void print_verdict(const Verdict& verdict, const CheckFlags& flags) {
   if (!verdict.message.empty()) fmt::print(stderr, "taut: {}\n", verdict.message);
   if (flags.json || flags.quiet || verdict.status == exit_bad_request) return;
@@ -103,6 +130,7 @@ void print_verdict(const Verdict& verdict, const CheckFlags& flags) {
              json["masses"].get<std::size_t>(), json["links"].get<std::size_t>(),
              json["duration"].get<double>(), json["method"].get<std::string>(),
              json["steps_per_second"].get<double>(), verdict.status == exit_done ? ", fine" : "");
+  if (json.contains("reference")) print_reference(json["reference"]);
   if (!json.contains("findings")) return;
   for (const Json& finding : json["findings"])
     fmt::print("  {} {}: {}\n", finding["holds"].get<bool>() ? "holds" : "FAILS",
@@ -133,6 +161,8 @@ void add_check(CLI::App& program, Action& action) {
   flags->changes.add_changes_to(*verb);
   verb->add_flag("--run", flags->run,
                  "Simulate each scene and test its [expect]; status 1 where it does not hold");
+  verb->add_flag("--reference", flags->reference,
+                 "Also measure the position error against a certified reference (kept in a cache)");
   verb->add_flag("--resolved", flags->resolved, "Print each scene as TOML with every default filled in");
   verb->add_flag("--json", flags->json, "Print an array of objects as JSON on stdout");
   verb->add_flag("--quiet", flags->quiet, "Only errors");

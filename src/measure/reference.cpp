@@ -15,6 +15,13 @@
 namespace taut {
 namespace {
 
+// What an opinion may cost: evaluations times links. A chain's takes seconds, a net's a minute.
+constexpr double most_link_evaluations = 5e7;
+
+double link_count(const Model& model) {
+  return static_cast<double>(std::max<std::size_t>(20, model.links.size()));
+}
+
 bool has_damping(const Model& model) {
   return model.drag > 0.0 || std::any_of(model.links.damping.begin(), model.links.damping.end(),
                                          [](double c) { return c > 0.0; });
@@ -63,7 +70,7 @@ struct Halved {
 // Halves the step until that changes nothing by more than `bound`, or a run would cost too much.
 Halved halve_steps(const Model& model, const State& start, const std::vector<double>& times, int order,
                    double bound) {
-  const double most_steps = 1e8 / static_cast<double>(std::max<std::size_t>(20, model.links.size()));
+  const double most_steps = most_link_evaluations / link_count(model);
   const double span = times.back() - start.time;
   Halved halved;
   for (double rate = 500.0; halved.fine.empty() || rate * span <= most_steps; rate *= 2.0) {
@@ -100,15 +107,18 @@ Reference make_reference(const Model& model, const State& start, const std::vect
   if (!model.breakable_links.empty())
     return refused("links that break have events that the reference does not resolve");
   // The second opinion comes first: where it does not even agree with itself, halving steps would be in vain.
-  const auto loose = integrate_explicitly(model, start, times, accuracy * 1e-3);
-  const auto tight = integrate_explicitly(model, start, times, accuracy * 1e-4);
-  if (!loose || !tight)
+  const auto most_evaluations = static_cast<long>(most_link_evaluations / link_count(model));
+  const auto loose = integrate_explicitly(model, start, times, accuracy * 1e-3, most_evaluations);
+  const auto tight = integrate_explicitly(model, start, times, accuracy * 1e-4, most_evaluations);
+  if (loose.empty() || tight.empty())
     return refused(
-        "the equations at acceleration level are singular or too stiff, so there is no second opinion");
-  std::size_t count = agreeing(*loose, *tight, accuracy);
+        "the equations at acceleration level are singular, or would take too long to integrate, so there is "
+        "no "
+        "second opinion");
+  std::size_t count = agreeing(loose, tight, accuracy);
   if (count == 0)
     return refused(fmt::format("the scene is chaotic: at {:.4g} s two tolerances differ by {:.2g} m",
-                               times.front(), position_error(loose->front(), tight->front())));
+                               times.front(), position_error(loose.front(), tight.front())));
 
   const int order = has_damping(model) ? 2 : 4;
   const Halved halved =
@@ -116,16 +126,16 @@ Reference make_reference(const Model& model, const State& start, const std::vect
                   accuracy / 3.0);
   if (halved.fine.empty()) return refused("rattle can't solve the scene's steps at two step sizes");
   count =
-      std::min(agreeing(halved.fine, *tight, accuracy), agreeing(halved.coarse, halved.fine, accuracy / 3.0));
+      std::min(agreeing(halved.fine, tight, accuracy), agreeing(halved.coarse, halved.fine, accuracy / 3.0));
   if (count == 0)
     return refused(
         fmt::format("at {:.4g} s halving the step changes the result by {:.2g} m, and the second opinion is "
                     "{:.2g} m away",
                     times.front(), position_error(halved.coarse.front(), halved.fine.front()),
-                    position_error(halved.fine.front(), tight->front())));
+                    position_error(halved.fine.front(), tight.front())));
   Reference reference;
   reference.states.assign(halved.fine.begin(), halved.fine.begin() + static_cast<std::ptrdiff_t>(count));
-  reference.uncertainty = std::max(largest_difference(halved.fine, *tight, count),
+  reference.uncertainty = std::max(largest_difference(halved.fine, tight, count),
                                    largest_difference(halved.coarse, halved.fine, count));
   reference.certified_until = times[count - 1];
   reference.how = fmt::format(

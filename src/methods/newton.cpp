@@ -13,9 +13,11 @@
 // nets the factor is kept from round to round while the residual at least quarters each time. The tension is
 // λ/h². First order in time and losing energy as h, but at home with any stiffness and any ratio of masses.
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "forces.h"
@@ -44,8 +46,15 @@ class NewtonStepper final : public Stepper {
       if (!state.broken(link)) whole.push_back(link);
     system_ = make_link_system(model_, whole);
     damping_.clear();
-    for (const Index link : system_.links.link) damping_.push_back(model_.links.damping[link]);
+    inverse_length_.clear();
+    compliant_ = false;
+    for (const Index link : system_.links.link) {
+      damping_.push_back(model_.links.damping[link]);
+      inverse_length_.push_back(1.0 / model_.links.length[link]);
+      compliant_ = compliant_ || !model_.links.rigid(link);
+    }
     const std::size_t count = whole.size();
+    distance_.resize(count);
     residual_.resize(count);
     multipliers_.resize(count);
     diagonal_.resize(count);
@@ -119,11 +128,14 @@ class NewtonStepper final : public Stepper {
   // What stays the same over the rounds: the start-of-step vectors, α̃/(1 + γ) and 1/(1 + γ), both over the
   // answer to drag.
   void prepare(const Vectors& start, double h, double answer) {
+    std::fill(multipliers_.begin(), multipliers_.end(), 0.0);
+    std::fill(scale_.begin(), scale_.end(), 1.0 / answer);
+    std::fill(diagonal_.begin(), diagonal_.end(), 0.0);
+    if (!compliant_) return;
     const SystemLinks& links = system_.links;
     link_vectors(links, start, start_vector_);
     for (std::size_t i = 0; i < links.size(); ++i) {
       const double gamma = links.compliance[i] * damping_[i] / h;
-      multipliers_[i] = 0.0;
       scale_[i] = 1.0 / ((1.0 + gamma) * answer);
       diagonal_[i] = links.compliance[i] / (h * h) * scale_[i];
     }
@@ -133,30 +145,26 @@ class NewtonStepper final : public Stepper {
   double measure_residual(double h, StepReport& report) {
     const SystemLinks& links = system_.links;
     link_vectors(links, position_, direction_);
+    const Eigen::Index count = std::ssize(residual_);
+    Eigen::Map<Eigen::ArrayXd> x(direction_.x.data(), count), y(direction_.y.data(), count),
+        z(direction_.z.data(), count), distance(distance_.data(), count), residual(residual_.data(), count);
+    distance = (x.square() + y.square() + z.square()).sqrt();
+    residual = distance - Eigen::Map<const Eigen::ArrayXd>(links.length.data(), count);
+    if (compliant_) add_compliance(h);
+    scale_directions();
+
     double worst = 0.0;
     std::size_t worst_link = 0;
     for (std::size_t i = 0; i < links.size(); ++i) {
-      const double x = direction_.x[i], y = direction_.y[i], z = direction_.z[i];
-      const double distance = std::sqrt(x * x + y * y + z * z);
-      if (distance == 0.0) {
-        report.status = StepStatus::direction_lost;
-        report.worst_link = links.link[i];
-        return worst;
-      }
-      const double inverse = 1.0 / distance;
-      direction_.x[i] = x * inverse;
-      direction_.y[i] = y * inverse;
-      direction_.z[i] = z * inverse;
-      residual_[i] = distance - links.length[i];
-      if (links.compliance[i] > 0.0) {
-        const Vec3 moved = Vec3(x, y, z) - start_vector_.at(i);
-        residual_[i] +=
-            links.compliance[i] * (damping_[i] / h * direction_.at(i).dot(moved) - multipliers_[i] / (h * h));
-      }
-      const double size = std::abs(residual_[i]) / links.length[i];
+      const double size = std::abs(residual_[i]) * inverse_length_[i];
       if (!(size <= worst)) {
         worst = size;
         worst_link = i;
+      }
+      if (distance_[i] == 0.0) {
+        report.status = StepStatus::direction_lost;
+        report.worst_link = links.link[i];
+        return worst;
       }
     }
     if (links.size() > 0) report.worst_link = links.link[worst_link];
@@ -164,12 +172,34 @@ class NewtonStepper final : public Stepper {
     return worst;
   }
 
+  // The part of r that a link without compliance does not have.
+  void add_compliance(double h) {
+    const SystemLinks& links = system_.links;
+    for (std::size_t i = 0; i < links.size(); ++i) {
+      if (links.compliance[i] == 0.0) continue;
+      const Vec3 moved = direction_.at(i) - start_vector_.at(i);
+      const double rate = direction_.at(i).dot(moved) / (distance_[i] * h);
+      residual_[i] += links.compliance[i] * (damping_[i] * rate - multipliers_[i] / (h * h));
+    }
+  }
+
+  void scale_directions() {
+    for (std::size_t i = 0; i < distance_.size(); ++i) {
+      const double inverse = 1.0 / distance_[i];
+      direction_.x[i] *= inverse;
+      direction_.y[i] *= inverse;
+      direction_.z[i] *= inverse;
+    }
+  }
+
   const Model& model_;
   EnergyWatch watch_;
   LinkSystem system_;
-  std::vector<double> damping_;  // N s/m
+  bool compliant_ = false;              // whether any link is
+  std::vector<double> damping_;         // N s/m
+  std::vector<double> inverse_length_;  // 1/m
   Vectors position_, velocity_, direction_, start_vector_;
-  std::vector<double> residual_, multipliers_, diagonal_, scale_, tension_;
+  std::vector<double> distance_, residual_, multipliers_, diagonal_, scale_, tension_;
 };
 
 constexpr std::array params{steps_per_second_param(240.0)};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "base/hash.h"
 
@@ -10,9 +11,7 @@ namespace {
 
 bool all_finite(const std::vector<double>& values) {
   // Any NaN or infinity turns the sum of v·0 into NaN; one pass without branches.
-  double sum = 0.0;
-  for (const double value : values) sum += value * 0.0;
-  return sum == 0.0;
+  return (0.0 * Eigen::Map<const Eigen::ArrayXd>(values.data(), std::ssize(values))).sum() == 0.0;
 }
 
 bool all_finite(const Vectors& vectors) {

@@ -7,6 +7,7 @@
 
 #include "base/failure.h"
 #include "base/hash.h"
+#include "methods/registry.h"
 #include "output/atomic_file.h"
 #include "run/build_info.h"
 
@@ -21,7 +22,7 @@ std::string key_of(const Scene& scene, const std::vector<double>& times, double 
   Scene physics;
   physics.title = scene.title;
   physics.duration = scene.duration;
-  physics.settings = Settings{"rattle", {}};
+  physics.settings = complete_settings({"rattle", {}});
   physics.description = scene.description;
   Hash hash;
   hash.add(resolved_toml(physics)).add(build_info()).add(std::span<const double>(times));

@@ -11,6 +11,7 @@ namespace taut {
 void report_unknown(const Entry& entry, const std::vector<KeyInfo>& known, std::string_view label,
                     Reader& reader) {
   std::vector<std::string_view> names;
+  names.reserve(known.size());
   for (const KeyInfo& info : known) names.push_back(info.name);
   const std::string_view nearest = nearest_name(entry.key, names);
   const auto meant = std::ranges::find(known, nearest, &KeyInfo::name);

@@ -12,8 +12,8 @@ namespace {
 TEST(ExplicitIntegrator, PendulumMatchesItsExactMotion) {
   const Built built = build_valid(pendulum());
   const auto states = integrate_explicitly(built.model, built.start, {0.5, 1.0, 3.0}, 1e-12);
-  ASSERT_TRUE(states);
-  for (const State& state : *states) {
+  ASSERT_EQ(states.size(), 3U);
+  for (const State& state : states) {
     const double angle = pendulum_angle_below_level(1.0, 9.81, state.time);
     EXPECT_LT((state.position.at(1) - Vec3(std::cos(angle), -std::sin(angle), 0.0)).norm(), 1e-9)
         << state.time;
@@ -28,7 +28,7 @@ TEST(Reference, ChainOfTwentyLinksIsCertified) {
   EXPECT_EQ(reference.certified_until, 1.0);
   EXPECT_LE(reference.uncertainty, 1e-7);
   const auto tighter = integrate_explicitly(built.model, built.start, {1.0}, 1e-13);
-  EXPECT_LT(position_error(reference.states.back(), tighter->back()), 1e-7);
+  EXPECT_LT(position_error(reference.states.back(), tighter.back()), 1e-7);
 }
 
 TEST(Reference, DrivenPinsSpringsAndDragAreCertified) {

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "methods/registry.h"
+#include "methods/simulate.h"
+#include "model/description.h"
+
+namespace taut::bench {
+
+inline Built build_valid(const Description& description) {
+  Built built = build(description);
+  if (!built.problems.empty()) throw std::runtime_error(built.problems.front().message);
+  return built;
+}
+
+inline Settings settings(std::string method, double steps_per_second) {
+  return {std::move(method), {{"steps_per_second", steps_per_second}}};
+}
+
+/// Makes steps that must all be solved.
+inline StepReport simulate_all(const Model& model, State& state, const Settings& how, std::int64_t steps) {
+  const StepReport report = simulate(model, state, how, steps);
+  if (report.status != StepStatus::done)
+    throw std::runtime_error(
+        failure_sentence(model, state, report, how.method, 1.0 / how.number("steps_per_second")));
+  return report;
+}
+
+/// A level chain of equal masses of 1 kg, first one pinned, released at rest.
+inline Description level_chain(int links, double link_length, double last_mass = 0.0) {
+  ChainSpec chain;
+  chain.name = "rope";
+  chain.to = {links * link_length, 0.0, 0.0};
+  chain.links = links;
+  chain.mass = links + 1.0;
+  chain.last_mass = last_mass;
+  chain.pinned = {"first"};
+  Description description;
+  description.chains = {chain};
+  return description;
+}
+
+}  // namespace taut::bench

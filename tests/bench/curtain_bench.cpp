@@ -1,0 +1,63 @@
+// The curtain of 64 × 64 masses, drawn open and shut for 10 s, by the methods that take it; and the sag to
+// which newton and converged xpbd settle with more drag, which must agree to 1e-4 of its height of 2.2 m.
+#include <benchmark/benchmark.h>
+
+#include "bench_scenes.h"
+#include "measure/measures.h"
+
+namespace {
+
+using namespace taut;
+
+Description curtain(double drag) {
+  SheetSpec cloth;
+  cloth.name = "cloth";
+  cloth.rows = cloth.columns = 64;
+  cloth.from = {-1.2, 2.5, 0.0};
+  cloth.to = {1.2, 2.5, 0.0};
+  cloth.down = {0.0, -2.2, 0.0};
+  cloth.mass = 1.6;
+  cloth.fullness = 1.67;
+  cloth.hooks.every = 9;
+  Description description;
+  description.drag = drag;
+  description.sheets = {cloth};
+  return description;
+}
+
+void run_curtain(benchmark::State& run, const Description& description, const Settings& how,
+                 double duration) {
+  const Built built = bench::build_valid(description);
+  const double rate = how.number("steps_per_second");
+  State state;
+  StepReport report;
+  for (auto round : run) {
+    state = built.start;
+    report = bench::simulate_all(built.model, state, how, std::llround(duration * rate));
+  }
+  run.counters["sag (m)"] = sag(built.model, state);
+  run.counters["speed (m/s)"] = fastest_speed(state);
+  run.counters["strain"] = link_strain(built.model, state).largest;
+  run.counters["halvings"] = static_cast<double>(report.halvings);
+}
+
+void drawn(benchmark::State& run, const char* method, double steps_per_second) {
+  Description description = curtain(0.8);
+  description.sheets[0].hooks.draw = {{0.0, 1.0}, {0.5, 1.0}, {3.0, 0.35}, {3.8, 0.35}, {6.3, 1.0}};
+  run_curtain(run, description, bench::settings(method, steps_per_second), 10.0);
+}
+BENCHMARK_CAPTURE(drawn, xpbd_1200, "xpbd", 1200.0)->Unit(benchmark::kMillisecond)->Iterations(1);
+BENCHMARK_CAPTURE(drawn, newton_240, "newton", 240.0)->Unit(benchmark::kMillisecond)->Iterations(1);
+BENCHMARK_CAPTURE(drawn, rattle_960, "rattle", 960.0)->Unit(benchmark::kMillisecond)->Iterations(1);
+
+void settled(benchmark::State& run, const char* method, double steps_per_second, double passes) {
+  Settings how = bench::settings(method, steps_per_second);
+  if (passes > 0.0) how.values["passes"] = passes;
+  run_curtain(run, curtain(4.0), how, 10.0);
+}
+BENCHMARK_CAPTURE(settled, newton_240, "newton", 240.0, 0.0)->Unit(benchmark::kMillisecond)->Iterations(1);
+BENCHMARK_CAPTURE(settled, xpbd_600_passes_200, "xpbd", 600.0, 200.0)
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1);
+
+}  // namespace

@@ -1,0 +1,134 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "program.h"
+
+namespace taut::testing {
+namespace {
+
+std::vector<std::vector<std::string>> rows_of(const std::string& csv) {
+  std::vector<std::vector<std::string>> rows;
+  std::istringstream lines(csv);
+  for (std::string line; std::getline(lines, line);) {
+    auto& row = rows.emplace_back();
+    std::string cell;
+    for (std::istringstream cells(line); std::getline(cells, cell, ',');) row.push_back(cell);
+  }
+  return rows;
+}
+
+const std::string pendulum = R"(
+[world]
+duration = 1.0
+[solve]
+method = "rattle"
+steps_per_second = 1000
+[[mass]]
+name = "hook"
+position = [0, 0, 0]
+pinned = true
+[[mass]]
+name = "bob"
+position = [1, 0, 0]
+[[link]]
+a = "hook"
+b = "bob"
+break_tension = 29.0
+)";
+
+class ExportTest : public ::testing::Test {
+ protected:
+  TemporaryFolder folder_;
+  std::string scene_ = folder_.write("pendulum.toml", pendulum);
+};
+
+// A pendulum released level at rest has v² = 2 g × drop wherever it is.
+TEST_F(ExportTest, ChosenInstantsAreExact) {
+  const Ran ran = taut({"export", scene_, "--times", "0.25,0.4321"});
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  const auto rows = rows_of(ran.out);
+  ASSERT_EQ(rows.size(), 5U);
+  EXPECT_EQ(ran.out.substr(0, ran.out.find('\n')), "frame,time,mass,name,x,y,z,vx,vy,vz");
+  EXPECT_EQ(rows[2][1], "0.25");
+  EXPECT_EQ(rows[4][1], "0.4321");
+  EXPECT_EQ(rows[4][3], "bob");
+  const double y = std::stod(rows[4][5]), vx = std::stod(rows[4][7]), vy = std::stod(rows[4][8]);
+  EXPECT_NEAR(vx * vx + vy * vy, -2.0 * 9.81 * y, 1e-3);
+}
+
+TEST_F(ExportTest, NumbersReadBackToTheSameDoubles) {
+  const auto rows = rows_of(taut({"export", scene_, "--times", "0.3"}).out);
+  EXPECT_GE(rows[2][4].size(), 16U) << "full precision";
+}
+
+TEST_F(ExportTest, FramesAreThoseOfAFilm) {
+  const auto rows = rows_of(taut({"export", scene_, "--fps", "10"}).out);
+  ASSERT_EQ(rows.size(), 1U + 2U * 10U);
+  EXPECT_EQ(rows[1][0], "1");
+  EXPECT_EQ(rows[1][1], "0");
+  EXPECT_EQ(rows[3][1], "0.1");
+}
+
+TEST_F(ExportTest, LinksHaveStrainTensionAndBreak) {
+  const auto rows = rows_of(taut({"export", scene_, "--times", "0.3,0.9", "--table", "links"}).out);
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_NEAR(std::stod(rows[1][6]), 0.0, 1e-11);
+  EXPECT_GT(std::stod(rows[1][7]), 5.0);
+  ASSERT_EQ(rows[2].size(), 9U);
+  EXPECT_EQ(rows[2][6], "");
+  EXPECT_EQ(rows[2][7], "");
+  EXPECT_NEAR(std::stod(rows[2][8]), 0.53, 0.05) << "it passes 29 N shortly before its lowest point";
+}
+
+TEST_F(ExportTest, GoesToAFileAsAWhole) {
+  const std::string file = (folder_.path() / "table.csv").string();
+  const Ran ran = taut({"export", scene_, "--times", "0.5", "-o", file});
+  EXPECT_EQ(ran.status, 0) << ran.err;
+  EXPECT_EQ(ran.out, "");
+  std::ifstream stream(file);
+  std::stringstream text;
+  text << stream.rdbuf();
+  EXPECT_EQ(rows_of(text.str()).size(), 3U);
+}
+
+TEST_F(ExportTest, BadFlagsAreRefused) {
+  for (const std::vector<std::string>& flags : {std::vector<std::string>{"--format", "xml"},
+                                                {"--table", "forces"},
+                                                {"--times", "0.5,0.2"},
+                                                {"--times", "soon"}}) {
+    std::vector<std::string> arguments{"export", scene_};
+    arguments.insert(arguments.end(), flags.begin(), flags.end());
+    const Ran ran = taut(arguments);
+    EXPECT_EQ(ran.status, 2) << flags[1];
+    EXPECT_NE(ran.err, "");
+    EXPECT_EQ(ran.out, "");
+  }
+}
+
+// The first call works the reference out and keeps it; the second reads it and says the same.
+TEST_F(ExportTest, ReferencesAreKeptBetweenCalls) {
+  const std::filesystem::path cache = folder_.path() / "cache";
+  std::string free_swing = pendulum;
+  free_swing.erase(free_swing.find("break_tension"));
+  const std::string scene = folder_.write("free.toml", free_swing);
+  const Environment environment{{"TAUT_CACHE", cache.string()}};
+  const Ran first = taut({"check", scene, "--reference", "--json"}, environment);
+  ASSERT_EQ(first.status, 0) << first.err;
+  ASSERT_FALSE(std::filesystem::is_empty(cache));
+  EXPECT_EQ(taut({"check", scene, "--reference", "--json"}, environment).out, first.out);
+  const auto reference = nlohmann::json::parse(first.out)[0]["reference"];
+  EXPECT_LT(reference["position_error"].get<double>(), 1e-4);
+  EXPECT_LT(reference["uncertainty"].get<double>(), 1e-6);
+  const Ran refused = taut({"check", scene_, "--reference", "--json"}, environment);
+  EXPECT_NE(refused.out.find("break"), std::string::npos) << "a scene that breaks has no certified reference";
+}
+
+}  // namespace
+}  // namespace taut::testing
