@@ -118,6 +118,18 @@ void print_reference(const Json& reference) {
                reference["how"].get<std::string>());
 }
 
+void print_measures(const Json& measures) {
+  const auto number = [&](const char* key) { return measures[key].get<double>(); };
+  fmt::print(
+      "  at {:.4g} s: strain {:.3g}, tension {:.4g} N, energy error {:.3g} of the scale, sag {:.4g} m, {} "
+      "broken\n",
+      number("time"), measures["strain"]["largest"].get<double>(), number("largest_tension"),
+      number("energy_error"), number("sag"), measures["broken_links"].get<std::int64_t>());
+  fmt::print("  cost: {} link solves in {} rounds, {} factorisations, {} halvings\n",
+             measures["link_solves"].get<std::int64_t>(), measures["rounds"].get<std::int64_t>(),
+             measures["factorisations"].get<std::int64_t>(), measures["halvings"].get<std::int64_t>());
+}
+
 void print_verdict(const Verdict& verdict, const CheckFlags& flags) {
   if (!verdict.message.empty()) fmt::print(stderr, "taut: {}\n", verdict.message);
   if (flags.json || flags.quiet || verdict.status == exit_bad_request) return;
@@ -132,6 +144,7 @@ void print_verdict(const Verdict& verdict, const CheckFlags& flags) {
              json["steps_per_second"].get<double>(), verdict.status == exit_done ? ", fine" : "");
   if (json.contains("reference")) print_reference(json["reference"]);
   if (!json.contains("findings")) return;
+  print_measures(json["measures"]);
   for (const Json& finding : json["findings"])
     fmt::print("  {} {}: {}\n", finding["holds"].get<bool>() ? "holds" : "FAILS",
                finding["key"].get<std::string>(), finding["text"].get<std::string>());
