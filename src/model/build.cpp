@@ -83,6 +83,9 @@ void add_loads(Model& model, const std::vector<LoadSpec>& specs, std::vector<Pro
         problems.push_back({"load", i, "masses", fmt::format("no mass is named \"{}\"", pattern),
                             nearest_mass(pattern, model.masses, problems)});
     }
+    // Patterns may overlap; the force acts once on each mass.
+    std::sort(load.masses.begin(), load.masses.end());
+    load.masses.erase(std::unique(load.masses.begin(), load.masses.end()), load.masses.end());
     model.loads.push_back(std::move(load));
   }
 }

@@ -119,6 +119,9 @@ void check_hooks(Checker& check, const SheetSpec& sheet) {
       fmt::format("hooks.every = {} does not divide columns − 1 = {}", hooks.every, sheet.columns - 1));
   check.require(sheet.fullness == 1.0 || hooks.every >= 3, "hooks",
                 fmt::format("a pleat needs at least 3 columns between hooks, not {}", hooks.every));
+  check.require(
+      hooks.draw.empty() || hooks.draw.front()[0] >= 0.0, "hooks",
+      "hooks.draw must begin at 0 s or later: the pleats at the start are those of its first share");
   double last = -infinity;
   for (const auto& [time, share] : hooks.draw) {
     check.require(std::isfinite(time) && time > last, "hooks", "hooks.draw: times must increase");

@@ -139,7 +139,7 @@ ChildProcess::ChildProcess(const std::filesystem::path& program, const std::vect
 
 ChildProcess::~ChildProcess() {
   if (process_ < 0) return;
-  ::kill(process_, SIGKILL);
+  ::kill(-process_, SIGKILL);  // its whole group: a grandchild would go on holding the pipe that is read here
   finish();
 }
 

@@ -88,7 +88,7 @@ TEST(Load, StarStandsForOnePartOfAName) {
                        LoadSpec{{"cloth.*.0", "cloth.1.2"}, {0, -1, 0}, 0.0, 1.0}};
   const Built built = build_valid(description);
   EXPECT_EQ(built.model.loads[0].masses, (std::vector<Index>{6, 7, 8}));
-  EXPECT_EQ(built.model.loads[1].masses, (std::vector<Index>{0, 3, 6, 5}));
+  EXPECT_EQ(built.model.loads[1].masses, (std::vector<Index>{0, 3, 5, 6}));
 }
 
 }  // namespace
