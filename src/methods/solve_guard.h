@@ -11,9 +11,9 @@ namespace taut {
 /// link.
 double length_tolerance(const SystemLinks& links, const Vectors& position);
 
-/// Tells steps that make energy out of nothing. The gain of kinetic, gravity and elastic energy over a step, less the work
-/// of loads and driven pins, must stay below a tenth of the scene's energies: (weight and full loads) × total link length,
-/// kinetic and elastic energy before, and mass × pin speed².
+/// Tells steps that make energy out of nothing. The gain of kinetic, gravity and elastic energy over a step,
+/// less the work of loads and driven pins, must stay below a tenth of the scene's energies: (weight and full
+/// loads) × total link length, kinetic and elastic energy before, and mass × pin speed².
 class EnergyWatch {
  public:
   explicit EnergyWatch(const Model& model);
@@ -26,8 +26,8 @@ class EnergyWatch {
   double pin_work(const State& before, const Vectors& position, const std::vector<double>& tension) const;
 
   const Model& model_;
-  double mass_ = 0.0;         // kg, of the free masses
-  double force_scale_ = 0.0;  // J
+  double mass_ = 0.0;                // kg, of the free masses
+  double force_scale_ = 0.0;         // J
   std::vector<Index> springs_;       // links with stiffness
   std::vector<Index> driven_links_;  // links with a driven pin
   std::vector<bool> driven_;
