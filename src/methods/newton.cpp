@@ -18,7 +18,6 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <utility>
 
 #include "forces.h"
 #include "link_system.h"
@@ -77,14 +76,7 @@ class NewtonStepper final : public Stepper {
     tension_ = state.tension;
     for (std::size_t i = 0; i < multipliers_.size(); ++i)
       tension_[system_.links.link[i]] = multipliers_[i] / (h * h);
-    if (watch_.jumped(state, position_, velocity_, tension_, h)) {
-      report.status = StepStatus::energy_jump;
-      return report;
-    }
-    std::swap(state.position, position_);
-    std::swap(state.velocity, velocity_);
-    std::swap(state.tension, tension_);
-    state.time = end_time;
+    watch_.take_over(state, position_, velocity_, tension_, h, report);
     return report;
   }
 

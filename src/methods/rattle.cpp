@@ -21,7 +21,6 @@
 
 #include <array>
 #include <cmath>
-#include <utility>
 
 #include "base/failure.h"
 #include "forces.h"
@@ -71,14 +70,7 @@ class RattleStepper final : public Stepper {
       }
     }
     if (report.status != StepStatus::done) return report;
-    if (watch_.jumped(state, position_, velocity_, tension_, h)) {
-      report.status = StepStatus::energy_jump;
-      return report;
-    }
-    std::swap(state.position, position_);
-    std::swap(state.velocity, velocity_);
-    std::swap(state.tension, tension_);
-    state.time += h;
+    watch_.take_over(state, position_, velocity_, tension_, h, report);
     return report;
   }
 

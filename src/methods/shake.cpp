@@ -16,7 +16,6 @@
 
 #include <array>
 #include <cmath>
-#include <utility>
 
 #include "base/failure.h"
 #include "forces.h"
@@ -72,14 +71,7 @@ class ShakeStepper final : public Stepper {
     kick_at_end(end_time, half);
     for (std::size_t i = 0; i < links_.size(); ++i)
       tension_[links_.link[i]] = multipliers_[i] * start_direction_.at(i).norm() / (h * h);
-    if (watch_.jumped(state, position_, velocity_, tension_, h)) {
-      report.status = StepStatus::energy_jump;
-      return report;
-    }
-    std::swap(state.position, position_);
-    std::swap(state.velocity, velocity_);
-    std::swap(state.tension, tension_);
-    state.time = end_time;
+    watch_.take_over(state, position_, velocity_, tension_, h, report);
     return report;
   }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace taut {
 
@@ -82,6 +83,18 @@ bool EnergyWatch::jumped(const State& before, const Vectors& position, const Vec
   for (const DrivenPin& pin : model_.driven_pins)
     pin_speed_squared = std::max(pin_speed_squared, velocity.at(pin.mass).squaredNorm());
   return !(gain <= 0.1 * (force_scale_ + kinetic_before + elastic_before + mass_ * pin_speed_squared));
+}
+
+void EnergyWatch::take_over(State& state, Vectors& position, Vectors& velocity, std::vector<double>& tension,
+                            double h, StepReport& report) const {
+  if (jumped(state, position, velocity, tension, h)) {
+    report.status = StepStatus::energy_jump;
+    return;
+  }
+  std::swap(state.position, position);
+  std::swap(state.velocity, velocity);
+  std::swap(state.tension, tension);
+  state.time += h;
 }
 
 }  // namespace taut

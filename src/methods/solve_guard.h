@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "link_system.h"
+#include "methods/method.h"
 
 namespace taut {
 
@@ -18,10 +19,14 @@ class EnergyWatch {
  public:
   explicit EnergyWatch(const Model& model);
 
-  bool jumped(const State& before, const Vectors& position, const Vectors& velocity,
-              const std::vector<double>& tension, double h) const;
+  /// Ends a step of h seconds: swaps the new positions, velocities and tensions into the state and moves its
+  /// time on, or reports energy_jump and leaves the state untouched.
+  void take_over(State& state, Vectors& position, Vectors& velocity, std::vector<double>& tension, double h,
+                 StepReport& report) const;
 
  private:
+  bool jumped(const State& before, const Vectors& position, const Vectors& velocity,
+              const std::vector<double>& tension, double h) const;
   double elastic(const State& state, const Vectors& position) const;
   double pin_work(const State& before, const Vectors& position, const std::vector<double>& tension) const;
 

@@ -7,7 +7,6 @@
 // Geometric Numerical Integration, 2006.)
 
 #include <array>
-#include <utility>
 
 #include "forces.h"
 #include "methods/method.h"
@@ -39,14 +38,7 @@ class SpringExplicitStepper final : public Stepper {
     StepReport report;
     report.rounds = 1;
     report.link_solves = static_cast<std::int64_t>(spring_tension_.size());
-    if (watch_.jumped(state, position_, velocity_, tension_, h)) {
-      report.status = StepStatus::energy_jump;
-      return report;
-    }
-    std::swap(state.position, position_);
-    std::swap(state.velocity, velocity_);
-    std::swap(state.tension, tension_);
-    state.time += h;
+    watch_.take_over(state, position_, velocity_, tension_, h, report);
     return report;
   }
 

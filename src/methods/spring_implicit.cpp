@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 #include "forces.h"
 #include "methods/method.h"
@@ -61,14 +60,7 @@ class SpringImplicitStepper final : public Stepper {
     spring_tensions(springs_, position_, velocity_, spring_tension_);
     for (std::size_t i = 0; i < spring_tension_.size(); ++i)
       tension_[springs_.links.link[i]] = spring_tension_[i];
-    if (watch_.jumped(state, position_, velocity_, tension_, h)) {
-      report.status = StepStatus::energy_jump;
-      return report;
-    }
-    std::swap(state.position, position_);
-    std::swap(state.velocity, velocity_);
-    std::swap(state.tension, tension_);
-    state.time = end_time;
+    watch_.take_over(state, position_, velocity_, tension_, h, report);
     return report;
   }
 
