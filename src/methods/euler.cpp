@@ -115,6 +115,7 @@ std::unique_ptr<Stepper> make(const Model& model, const Settings& settings) {
 
 Method euler_method() {
   Capabilities can;
+  can.limit = StepLimit::kept_velocities;
   can.plane = true;
   can.break_stretch = true;
   can.between_steps = Interpolation::linear;

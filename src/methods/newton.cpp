@@ -80,6 +80,8 @@ class NewtonStepper final : public Stepper {
     return report;
   }
 
+  void watch_energy(bool on) override { watch_.set(on); }
+
  private:
   bool solve(const Vectors& start, double h, StepReport& report) {
     const SystemLinks& links = system_.links;

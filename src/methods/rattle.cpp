@@ -74,6 +74,8 @@ class RattleStepper final : public Stepper {
     return report;
   }
 
+  void watch_energy(bool on) override { watch_.set(on); }
+
  private:
   void check_springs(const State& state) const {
     const double frequency = highest_frequency(springs_, state.position);
@@ -153,7 +155,7 @@ class RattleStepper final : public Stepper {
       residual_[i] = 0.5 * (x * x + y * y + z * z - squared);
       const double along = x * start_direction_.x[i] + y * start_direction_.y[i] + z * start_direction_.z[i];
       const double size = std::abs(residual_[i]) / squared;
-      if (!(size <= worst_)) {
+      if (!(size <= worst_) && !std::isnan(worst_)) {
         worst_ = size;
         worst_link = i;
       }
@@ -246,6 +248,7 @@ std::unique_ptr<Stepper> make(const Model& model, const Settings& settings) {
 
 Method rattle_method() {
   Capabilities can;
+  can.limit = StepLimit::sideways_vibration;
   can.stiffness = true;
   can.break_stretch = true;
   can.break_tension = true;

@@ -75,6 +75,8 @@ class ShakeStepper final : public Stepper {
     return report;
   }
 
+  void watch_energy(bool on) override { watch_.set(on); }
+
  private:
   bool relax(const Vectors& start, StepReport& report) {
     link_vectors(links_, start, start_direction_);
@@ -152,6 +154,7 @@ std::unique_ptr<Stepper> make(const Model& model, const Settings& settings) {
 Method shake_method() {
   Capabilities can;
   can.half_kicked = true;
+  can.limit = StepLimit::sideways_vibration;
   can.stiffness = true;
   can.break_stretch = true;
   can.break_tension = true;

@@ -8,6 +8,7 @@ StepReport simulate(const Model& model, State& state, const Settings& settings, 
                     const Guard& guard) {
   const Settings complete = complete_settings(settings);
   const auto stepper = find_method(complete.method)->make(model, complete);
+  stepper->watch_energy(guard.on);
   stepper->links_changed(state);
   const double rate = complete.steps_per_second();
   const double start_time = state.time;

@@ -87,7 +87,11 @@ bool EnergyWatch::jumped(const State& before, const Vectors& position, const Vec
 
 void EnergyWatch::take_over(State& state, Vectors& position, Vectors& velocity, std::vector<double>& tension,
                             double h, StepReport& report) const {
-  if (jumped(state, position, velocity, tension, h)) {
+  if (!std::isfinite(state.time + h) || !all_finite(position) || !all_finite(velocity)) {
+    report.status = StepStatus::not_finite;
+    return;
+  }
+  if (on_ && jumped(state, position, velocity, tension, h)) {
     report.status = StepStatus::energy_jump;
     return;
   }

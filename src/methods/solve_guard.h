@@ -19,8 +19,11 @@ class EnergyWatch {
  public:
   explicit EnergyWatch(const Model& model);
 
+  /// Whether such steps fail. They do until told otherwise.
+  void set(bool on) { on_ = on; }
+
   /// Ends a step of h seconds: swaps the new positions, velocities and tensions into the state and moves its
-  /// time on, or reports energy_jump and leaves the state untouched.
+  /// time on, or reports not_finite or energy_jump and leaves the state untouched.
   void take_over(State& state, Vectors& position, Vectors& velocity, std::vector<double>& tension, double h,
                  StepReport& report) const;
 
@@ -31,6 +34,7 @@ class EnergyWatch {
   double pin_work(const State& before, const Vectors& position, const std::vector<double>& tension) const;
 
   const Model& model_;
+  bool on_ = true;
   double mass_ = 0.0;                // kg, of the free masses
   double force_scale_ = 0.0;         // J
   std::vector<Index> springs_;       // links with stiffness

@@ -42,6 +42,8 @@ class SpringExplicitStepper final : public Stepper {
     return report;
   }
 
+  void watch_energy(bool on) override { watch_.set(on); }
+
  private:
   const Model& model_;
   EnergyWatch watch_;
@@ -60,6 +62,7 @@ std::unique_ptr<Stepper> make(const Model& model, const Settings&) {
 
 Method spring_explicit_method() {
   Capabilities can;
+  can.limit = StepLimit::spring_frequency;
   can.stiffness = true;
   can.rigid = false;
   can.break_stretch = true;

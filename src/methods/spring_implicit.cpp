@@ -64,6 +64,8 @@ class SpringImplicitStepper final : public Stepper {
     return report;
   }
 
+  void watch_energy(bool on) override { watch_.set(on); }
+
  private:
   // Newton's method until no mass moves by more than the tolerance on lengths.
   bool solve(const Vectors& start, double h, StepReport& report) {
@@ -116,8 +118,8 @@ class SpringImplicitStepper final : public Stepper {
     const Index a = springs_.links.a[i], b = springs_.links.b[i];
     const Vec3 d = position_.at(a) - position_.at(b);
     const double distance = d.norm();
-    if (distance == 0.0) return;  // no direction to pull in
-    const Vec3 n = d / distance;
+    // Without a direction to pull in, a block of zeros: the pattern must stay the one that was analysed.
+    const Vec3 n = distance == 0.0 ? Vec3(Vec3::Zero()) : Vec3(d / distance);
     const double k = springs_.stiffness[i], c = springs_.damping[i];
     const Vec3 moved = d - (start.at(a) - start.at(b));
     const Vec3 pull = n * (k * (distance - springs_.links.length[i]) + c * n.dot(moved) / h);

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "methods/frequency.h"
+
 namespace taut {
 
 Springs gather_springs(const Model& model, const State& state) {
@@ -82,6 +84,10 @@ double highest_frequency(const Springs& springs, const Vectors& position) {
     if (settled && round > 20) break;
   }
   return std::sqrt(eigenvalue);
+}
+
+double highest_spring_frequency(const Model& model, const State& state) {
+  return highest_frequency(gather_springs(model, state), state.position);
 }
 
 }  // namespace taut

@@ -14,11 +14,11 @@ bool all_finite(const std::vector<double>& values) {
   return (0.0 * Eigen::Map<const Eigen::ArrayXd>(values.data(), std::ssize(values))).sum() == 0.0;
 }
 
+}  // namespace
+
 bool all_finite(const Vectors& vectors) {
   return all_finite(vectors.x) && all_finite(vectors.y) && all_finite(vectors.z);
 }
-
-}  // namespace
 
 std::uint64_t state_hash(const State& state) {
   Hash hash;

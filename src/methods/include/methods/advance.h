@@ -6,7 +6,8 @@ namespace taut {
 
 /// What happens when a step fails.
 struct Guard {
-  bool on = true;          ///< off: the failed step's report is returned at once
+  bool on = true;  ///< off: the failed step's report is returned at once (and simulate() lets steps that make
+                   ///< energy out of nothing pass, too)
   int most_halvings = 12;  ///< how often in a row a step may be halved
 };
 

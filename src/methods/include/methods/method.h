@@ -24,6 +24,15 @@ struct Param {
   std::string_view help;
 };
 
+/// What theory says about a method's longest step, or about how it fails whatever the step.
+enum class StepLimit {
+  none,                ///< no limit
+  spring_frequency,    ///< ω_max·h < 2 for the highest frequency of the springs
+  sideways_vibration,  ///< h < √(m l/T) for rigid links of length l under tension T at a light mass m, and
+                       ///< ω_max·h < 2 for springs
+  kept_velocities,     ///< links don't stop what gravity adds to velocities: masses that hang gain (g t)²/2
+};
+
 /// What a method can do beyond rigid links under gravity.
 struct Capabilities {
   bool stiffness = false;  ///< links with stiffness and damping
@@ -34,6 +43,7 @@ struct Capabilities {
   bool break_tension = false;
   bool half_kicked =
       false;  ///< velocities hold half a kick that links have not answered; reports project them
+  StepLimit limit = StepLimit::none;
   Interpolation between_steps = Interpolation::hermite;  ///< how a frame between two steps is to be found
 };
 
@@ -81,6 +91,9 @@ class Stepper {
   virtual void links_changed(const State& state) = 0;
   /// True when step() itself tests break_stretch on the links it solves.
   virtual bool breaks_within_step() const { return false; }
+  /// Whether a step that makes energy out of nothing fails, as it does until told otherwise, or is taken.
+  /// Without effect on methods that never look.
+  virtual void watch_energy(bool /*on*/) {}
 };
 
 /// One entry of the registry.

@@ -23,6 +23,9 @@ struct State {
 /// Hash of time, positions, velocities and broken links: equal exactly when those are equal bit for bit.
 std::uint64_t state_hash(const State& state);
 
+/// True when every one of the vectors is finite.
+bool all_finite(const Vectors& vectors);
+
 /// True when time and all positions and velocities are finite.
 bool all_finite(const State& state);
 
