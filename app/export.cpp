@@ -40,14 +40,11 @@ std::vector<Instant> instants(const ExportFlags& flags, const Scene& scene) {
       result.push_back({frame, frame_time(frame, rate)});
     return result;
   }
-  std::size_t begin = 0;
-  while (begin <= flags.times.size()) {
-    const std::size_t end = std::min(flags.times.find(',', begin), flags.times.size());
-    const double time = parse_seconds("--times", std::string_view(flags.times).substr(begin, end - begin));
+  for (const std::string_view part : split_list(flags.times)) {
+    const double time = parse_seconds("--times", part);
     if (time < 0.0 || (!result.empty() && time <= result.back().time))
       throw BadRequest(fmt::format("--times must rise from 0 s on, and {} s does not", time));
     result.push_back({static_cast<int>(result.size()) + 1, time});
-    begin = end + 1;
   }
   return result;
 }

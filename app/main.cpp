@@ -43,6 +43,7 @@ int run(int argument_count, char** arguments) {
   add_strip(program, action);
   add_check(program, action);
   add_export(program, action);
+  add_sag(program, action);
   add_list(program, action);
   try {
     program.parse(argument_count, arguments);

@@ -1,0 +1,89 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+
+#include "base/failure.h"
+#include "exit_status.h"
+#include "flags.h"
+#include "output/gnuplot.h"
+#include "run/progress.h"
+#include "run/sag_files.h"
+#include "run/signals.h"
+#include "values.h"
+#include "verbs.h"
+
+namespace taut {
+namespace {
+
+constexpr Size usual_panel{380, 340};
+constexpr int most_passes = 100000;
+
+struct SagFlags {
+  SceneFlags scene;
+  PictureFlags picture;
+  std::string passes = "1,2,4,8,16,32,64,128,256", folder;
+  bool json = false, quiet = false;
+};
+
+std::vector<int> parse_passes(const std::string& text) {
+  std::vector<int> passes;
+  for (const std::string_view part : split_list(text)) {
+    const double count = parse_number("--passes", part);
+    if (!(count >= 1.0 && count <= most_passes) || count != static_cast<int>(count))
+      throw BadRequest(fmt::format("--passes are whole numbers from 1 to {}, not {}", most_passes, part));
+    passes.push_back(static_cast<int>(count));
+  }
+  return passes;
+}
+
+// verlet at the pace of a display, as the text has it in mind, unless the command line says otherwise.
+SceneOverrides sag_overrides(const SceneFlags& flags) {
+  SceneOverrides overrides = flags.overrides();
+  if (!overrides.method) overrides.method = "verlet";
+  overrides.sets.insert(overrides.sets.begin(), "solve.steps_per_second=60");
+  return overrides;
+}
+
+int sag(const SagFlags& flags) {
+  const std::vector<int> passes = parse_passes(flags.passes);
+  const Scene scene = load(flags.scene.scene, sag_overrides(flags.scene));
+  const PictureSettings settings = flags.picture.settings(usual_panel);
+  const std::string folder = flags.folder.empty() ? "out/" + scene.name + "-sag" : flags.folder;
+  require_gnuplot();
+  const InterruptWatch interrupts;
+  Progress progress(stderr, progress_style(stderr, flags.quiet), "rest shapes");
+  progress.start(static_cast<int>(passes.size()));
+  const auto study = study_sag(
+      scene, passes, [&](int done) { progress.update(done); }, [&] { return interrupts.caught() != 0; });
+  progress.finish();
+  if (!study) return exit_signal + interrupts.caught();
+  write_sag_files(scene, *study, settings, folder);
+  if (flags.json) fmt::print("{}", sag_json(scene, *study));
+  if (!flags.quiet)
+    fmt::print(stderr, "{}: exact sag {:.4f} m; with {} {} of {} {:.4f} m; in {}\n", scene.name,
+               study->exact_sag, passes.back(), passes.back() == 1 ? "pass" : "passes",
+               study->settings.method, study->entries[passes.size() - 1].sag, folder);
+  return exit_done;
+}
+
+}  // namespace
+
+void add_sag(CLI::App& program, Action& action) {
+  CLI::App* verb =
+      program.add_subcommand("sag", "Where a scene comes to rest over passes, beside the exact shape");
+  const auto flags = std::make_shared<SagFlags>();
+  flags->scene.add_to(*verb);
+  verb->add_option("--passes", flags->passes, "Passes over all links in each step")->capture_default_str();
+  verb->add_option("-o,--output", flags->folder, "The folder [out/SCENE-sag]");
+  flags->picture.add_to(*verb);
+  verb->add_flag("--json", flags->json, "Print the numbers as JSON on stdout");
+  verb->add_flag("--quiet", flags->quiet, "No messages but errors");
+  verb->footer(
+      "Settles with verlet at 60 steps/s unless --method or --set steps_per_second=… say otherwise. --size "
+      "is "
+      "that of one panel [380x340].\n\nExample:\n  taut sag hanging-chain-two-pins -o sag");
+  verb->callback([flags, &action] { action = [flags] { return sag(*flags); }; });
+}
+
+}  // namespace taut
