@@ -9,6 +9,7 @@
 
 #include "base/failure.h"
 #include "exit_status.h"
+#include "explain.h"
 #include "flags.h"
 #include "measure/expectation.h"
 #include "measures_json.h"
@@ -25,7 +26,7 @@ using Json = nlohmann::ordered_json;
 struct CheckFlags {
   std::vector<std::string> scenes;
   SceneFlags changes;
-  bool run = false, reference = false, json = false, resolved = false, quiet = false;
+  bool explain = false, run = false, reference = false, json = false, resolved = false, quiet = false;
 };
 
 // What came of checking one scene.
@@ -33,6 +34,7 @@ struct Verdict {
   int status = exit_done;
   std::string message;  ///< for people, about what is wrong; empty when nothing is
   Json json;
+  std::string explanation;  ///< for people
 };
 
 Json finding_to_json(const Finding& finding) {
@@ -92,6 +94,11 @@ Verdict check_scene(const std::string& argument, const CheckFlags& flags, const 
     say_what_was_chosen(scene, flags.quiet);
     describe(scene, verdict.json);
     if (flags.resolved) verdict.json["resolved"] = resolved_toml(scene);
+    if (flags.explain) {
+      const Explanation explanation = explain(scene);
+      verdict.json["explanation"] = explanation_to_json(explanation);
+      verdict.explanation = explanation_text(scene, explanation);
+    }
     if (flags.reference) verdict.json["reference"] = error_against_reference(scene);
     if (flags.run)
       check_run(scene, stop, verdict);
@@ -142,6 +149,7 @@ void print_verdict(const Verdict& verdict, const CheckFlags& flags) {
              json["masses"].get<std::size_t>(), json["links"].get<std::size_t>(),
              json["duration"].get<double>(), json["method"].get<std::string>(),
              json["steps_per_second"].get<double>(), verdict.status == exit_done ? ", fine" : "");
+  fmt::print("{}", verdict.explanation);
   if (json.contains("reference")) print_reference(json["reference"]);
   if (!json.contains("findings")) return;
   print_measures(json["measures"]);
@@ -172,6 +180,8 @@ void add_check(CLI::App& program, Action& action) {
   const auto flags = std::make_shared<CheckFlags>();
   verb->add_option("SCENE", flags->scenes, "Scene files, or bare names of `taut list scenes`")->required();
   flags->changes.add_changes_to(*verb);
+  verb->add_flag("--explain", flags->explain,
+                 "Say what each scene models, what it leaves out, and what each part costs per step");
   verb->add_flag("--run", flags->run,
                  "Simulate each scene and test its [expect]; status 1 where it does not hold");
   verb->add_flag("--reference", flags->reference,

@@ -20,6 +20,16 @@ double end_of(const Motion& motion) {
   return path == nullptr ? infinity : path->knots.back().time;
 }
 
+// Diagonal of the box around all masses (m).
+double extent(const Vectors& position) {
+  Vec3 least = Vec3::Constant(infinity), most = Vec3::Constant(-infinity);
+  for (std::size_t i = 0; i < position.size(); ++i) {
+    least = least.cwiseMin(position.at(i));
+    most = most.cwiseMax(position.at(i));
+  }
+  return (most - least).norm();
+}
+
 // A chain that the formulas know: alone in its scene, along the arrays, every link alike and every inner mass
 // alike, gravity along −y, and all of it in a vertical plane through its pins.
 bool is_plain_chain(const Model& model) {
@@ -107,7 +117,7 @@ RestShape settle(const Model& model, const State& start, const Settings& setting
   RestShape shape;
   shape.state = start;
   stepper->links_changed(shape.state);
-  const double allowed = settling.most_movement * total_link_length(model);
+  const double allowed = settling.most_movement * extent(start.position);
   const auto window = static_cast<std::int64_t>(std::max(1.0, std::round(settling.window * rate)));
   for (std::int64_t step = 0; !shape.at_rest && shape.state.time < from + settling.most_time;) {
     const State before = shape.state;

@@ -17,21 +17,34 @@
 #include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "forces.h"
 #include "link_order.h"
 #include "methods/method.h"
+#include "model/parts.h"
 #include "parameters.h"
 
 namespace taut {
 namespace {
 
 // What a pass reads of each link, side by side in the order of the visits.
-struct VisitedLink {
+struct WeightedLink {
   Index a, b;
   double length;
   double weight_a, weight_b;  // inverse masses
   double inverse_weight;      // 1/(w_a + w_b)
+};
+
+// The same of a link between two of many equal masses.
+struct PlainLink {
+  Index a, b;
+  double length;
+};
+
+// The links of one colour: a stretch of the plain ones and one of the weighted ones.
+struct Colour {
+  std::size_t plain_end, weighted_end;
 };
 
 // What it reads of links that have it.
@@ -40,24 +53,56 @@ struct Softness {
   double damping;     // N s/m
 };
 
+// 1/m of every free mass; −1 where they differ or there is none.
+double common_weight(const Model& model) {
+  if (!equal_masses(model)) return -1.0;
+  for (const double weight : model.masses.inverse_mass)
+    if (weight > 0.0) return weight;
+  return -1.0;
+}
+
 class XpbdStepper final : public Stepper {
  public:
-  XpbdStepper(const Model& model, int passes) : model_(model), passes_(passes) {}
+  XpbdStepper(const Model& model, int passes)
+      : model_(model),
+        passes_(passes),
+        equal_weight_(common_weight(model)),
+        equal_inverse_weight_(0.5 / equal_weight_) {}
 
   void links_changed(const State& state) override {
-    order_ = coloured_order(model_, state);
-    visited_.clear();
+    const OrderedLinks order = coloured_order(model_, state);
+    flat_ = stays_in_plane(model_, state);
+    plain_.clear();
+    weighted_.clear();
+    colours_.clear();
+    std::vector<Index> plain, weighted;
+    std::size_t next = 0;
+    for (const std::size_t end : order.colour_ends) {
+      for (; next < end; ++next) {
+        const Index link = order.links[next];
+        const Index a = model_.links.a[link], b = model_.links.b[link];
+        const double weight_a = model_.masses.inverse_mass[a], weight_b = model_.masses.inverse_mass[b];
+        if (weight_a == equal_weight_ && weight_b == equal_weight_) {
+          plain_.push_back({a, b, model_.links.length[link]});
+          plain.push_back(link);
+        } else {
+          weighted_.push_back(
+              {a, b, model_.links.length[link], weight_a, weight_b, 1.0 / (weight_a + weight_b)});
+          weighted.push_back(link);
+        }
+      }
+      colours_.push_back({plain_.size(), weighted_.size()});
+    }
+    links_ = std::move(plain);
+    links_.insert(links_.end(), weighted.begin(), weighted.end());
     softness_.clear();
     compliant_ = damped_ = false;
-    for (const Index link : order_.links) {
-      const Index a = model_.links.a[link], b = model_.links.b[link];
-      const double weight_a = model_.masses.inverse_mass[a], weight_b = model_.masses.inverse_mass[b];
-      visited_.push_back({a, b, model_.links.length[link], weight_a, weight_b, 1.0 / (weight_a + weight_b)});
+    for (const Index link : links_) {
       softness_.push_back({model_.links.compliance(link), model_.links.damping[link]});
       compliant_ = compliant_ || !model_.links.rigid(link);
       damped_ = damped_ || model_.links.damping[link] > 0.0;
     }
-    multipliers_.assign(visited_.size(), 0.0);
+    multipliers_.assign(links_.size(), 0.0);
   }
 
   StepReport step(State& state, double h) override {
@@ -67,14 +112,14 @@ class XpbdStepper final : public Stepper {
     kick(model_, end_time, h, state.velocity, velocity_);
     drift(h, start_, velocity_, state.position);
     place_pins(model_, end_time, state.position, velocity_);
-    multipliers_.assign(visited_.size(), 0.0);
+    multipliers_.assign(links_.size(), 0.0);
     for (int pass = 0; pass < passes_; ++pass) {
       solve_all(state.position, h);
       if (model_.plane) keep_out_of_plane(*model_.plane, model_.masses, start_, state.position);
     }
     StepReport report;
     report.rounds = passes_;
-    report.link_solves = static_cast<std::int64_t>(visited_.size()) * passes_;
+    report.link_solves = static_cast<std::int64_t>(links_.size()) * passes_;
     difference_quotient(h, start_, state.position, velocity_);
     place_pins(model_, end_time, state.position, velocity_);
     std::swap(state.velocity, velocity_);
@@ -86,43 +131,69 @@ class XpbdStepper final : public Stepper {
       report.status = StepStatus::not_finite;
       return report;
     }
-    for (std::size_t i = 0; i < visited_.size(); ++i)
-      state.tension[order_.links[i]] = -multipliers_[i] / (h * h);
+    for (std::size_t i = 0; i < links_.size(); ++i) state.tension[links_[i]] = -multipliers_[i] / (h * h);
     return report;
   }
 
  private:
-  // The loop without what no link of the scene has.
+  // The loops without what the scene does not have. What is left out would multiply by one, or add a zero:
+  // the results are the same, bit for bit.
   void solve_all(Vectors& position, double h) {
     if (damped_)
-      solve<true, true>(position, h);
+      flat_ ? solve_colours<true, true, true>(position, h) : solve_colours<true, true, false>(position, h);
     else if (compliant_)
-      solve<true, false>(position, h);
+      flat_ ? solve_colours<true, false, true>(position, h) : solve_colours<true, false, false>(position, h);
     else
-      solve<false, false>(position, h);
+      flat_ ? solve_colours<false, false, true>(position, h)
+            : solve_colours<false, false, false>(position, h);
   }
 
+  template <bool compliant, bool damped, bool flat>
+  void solve_colours(Vectors& position, double h) {
+    Colour begin{0, 0};
+    for (const Colour& end : colours_) {
+      solve<compliant, damped, flat>(plain_, begin.plain_end, end.plain_end, 0, position, h);
+      solve<compliant, damped, flat>(weighted_, begin.weighted_end, end.weighted_end, plain_.size(), position,
+                                     h);
+      begin = end;
+    }
+  }
+
+  double weight_a(const PlainLink&) const { return equal_weight_; }
+  double weight_b(const PlainLink&) const { return equal_weight_; }
+  double inverse_weight(const PlainLink&) const { return equal_inverse_weight_; }
+  static double weight_a(const WeightedLink& link) { return link.weight_a; }
+  static double weight_b(const WeightedLink& link) { return link.weight_b; }
+  static double inverse_weight(const WeightedLink& link) { return link.inverse_weight; }
+
   // Plain numbers, coordinate by coordinate: packed into vectors of three the loop takes a seventh longer.
-  template <bool compliant, bool damped>
-  void solve(Vectors& position, double h) {
+  // The links' multipliers begin at `first`.
+  template <bool compliant, bool damped, bool flat, class Link>
+  void solve(const std::vector<Link>& links, std::size_t begin, std::size_t end, std::size_t first,
+             Vectors& position, double h) {
     [[maybe_unused]] const double inverse_h = 1.0 / h;
     const double inverse_answer = 1.0 + h * model_.drag;
     const double answer = 1.0 / inverse_answer;
     double *const x = position.x.data(), *const y = position.y.data(), *const z = position.z.data();
-    double* const multipliers = multipliers_.data();
-    const std::size_t count = visited_.size();
-    for (std::size_t i = 0; i < count; ++i) {
-      const VisitedLink& link = visited_[i];
+    double* const multipliers = multipliers_.data() + first;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Link& link = links[i];
       const Index a = link.a, b = link.b;
-      const double dx = x[a] - x[b], dy = y[a] - y[b], dz = z[a] - z[b];
-      const double distance = std::sqrt(dx * dx + dy * dy + dz * dz);
+      const double dx = x[a] - x[b], dy = y[a] - y[b];
+      double dz = 0.0;
+      double square = dx * dx + dy * dy;
+      if constexpr (!flat) {
+        dz = z[a] - z[b];
+        square += dz * dz;
+      }
+      const double distance = std::sqrt(square);
       if (distance == 0.0) continue;  // no direction to move in
       const double inverse_distance = 1.0 / distance;
       double change = link.length - distance;
       if constexpr (compliant) {
-        const Softness& soft = softness_[i];
+        const Softness& soft = softness_[first + i];
         const double scaled = soft.compliance * inverse_h * inverse_h;
-        const double weight = answer * (link.weight_a + link.weight_b);
+        const double weight = answer * (weight_a(link) + weight_b(link));
         change -= scaled * multipliers[i];
         if constexpr (damped) {
           const double gamma = soft.compliance * soft.damping * inverse_h;
@@ -133,27 +204,32 @@ class XpbdStepper final : public Stepper {
           change /= weight + scaled;
         }
       } else {
-        change *= link.inverse_weight * inverse_answer;
+        change *= inverse_weight(link) * inverse_answer;
       }
       multipliers[i] += change;
       const double shift = answer * change * inverse_distance;
-      const double on_a = link.weight_a * shift, on_b = link.weight_b * shift;
+      const double on_a = weight_a(link) * shift, on_b = weight_b(link) * shift;
       x[a] += on_a * dx;
       y[a] += on_a * dy;
-      z[a] += on_a * dz;
       x[b] -= on_b * dx;
       y[b] -= on_b * dy;
-      z[b] -= on_b * dz;
+      if constexpr (!flat) {
+        z[a] += on_a * dz;
+        z[b] -= on_b * dz;
+      }
     }
   }
 
   const Model& model_;
   int passes_;
-  OrderedLinks order_;
-  std::vector<VisitedLink> visited_;
-  std::vector<Softness> softness_;  // of each visited link
-  bool compliant_ = false, damped_ = false;
-  std::vector<double> multipliers_;  // λ, kg m
+  double equal_weight_, equal_inverse_weight_;  // w of all free masses, 1/(2 w); −1 where they differ
+  std::vector<PlainLink> plain_;                // colour by colour
+  std::vector<WeightedLink> weighted_;          // the rest of each colour: at pins, or where masses differ
+  std::vector<Colour> colours_;
+  std::vector<Index> links_;        // the plain ones, then the weighted ones
+  std::vector<Softness> softness_;  // of each of them
+  bool compliant_ = false, damped_ = false, flat_ = false;
+  std::vector<double> multipliers_;  // λ of each of them, kg m
   Vectors start_, velocity_;
 };
 

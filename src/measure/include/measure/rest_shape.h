@@ -13,7 +13,7 @@ struct Settling {
   double least_drag = 2.0;      ///< 1/s, what a scene with less is given
   double most_time = 60.0;      ///< s
   double window = 0.5;          ///< s over which motion is looked at
-  double most_movement = 1e-6;  ///< of the total link length, what no mass may move by in a window
+  double most_movement = 1e-6;  ///< of the scene's extent at the start, what no mass may move by in a window
 };
 
 /// Where a scene has come to rest.

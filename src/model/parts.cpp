@@ -1,0 +1,135 @@
+#include "model/parts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace taut {
+namespace {
+
+std::string counted(std::size_t count, std::string_view one, std::string_view many) {
+  return count == 0 ? "" : fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+std::size_t count_links(const Model& model, bool (*holds)(const Links&, std::size_t)) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < model.links.size(); ++i) count += holds(model.links, i) ? 1 : 0;
+  return count;
+}
+
+double largest_free_mass(const Model& model) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < model.masses.size(); ++i)
+    if (!model.masses.pinned(i)) largest = std::max(largest, model.masses.mass[i]);
+  return largest;
+}
+
+std::string masses_extent(const Model& model) {
+  return equal_masses(model) ? "" : "masses differ";
+}
+
+void remove_unequal_masses(Model& model) {
+  const double mass = largest_free_mass(model);
+  for (std::size_t i = 0; i < model.masses.size(); ++i) {
+    if (model.masses.pinned(i)) continue;
+    model.masses.mass[i] = mass;
+    model.masses.inverse_mass[i] = 1.0 / mass;
+  }
+}
+
+std::string drag_extent(const Model& model) {
+  return model.drag == 0.0 ? "" : fmt::format("{:.4g}/s", model.drag);
+}
+
+std::string compliance_extent(const Model& model) {
+  return counted(count_links(model, [](const Links& links, std::size_t i) { return !links.rigid(i); }),
+                 "link with stiffness", "links with stiffness");
+}
+
+void remove_damping(Model& model) {
+  std::fill(model.links.damping.begin(), model.links.damping.end(), 0.0);
+}
+
+void remove_compliance(Model& model) {
+  remove_damping(model);
+  std::fill(model.links.stiffness.begin(), model.links.stiffness.end(), infinity);
+}
+
+std::string damping_extent(const Model& model) {
+  return counted(count_links(model, [](const Links& links, std::size_t i) { return links.damping[i] > 0.0; }),
+                 "damped link", "damped links");
+}
+
+std::string breaking_extent(const Model& model) {
+  return counted(model.breakable_links.size(), "link that can break", "links that can break");
+}
+
+void remove_breaking(Model& model) {
+  model.breakable_links.clear();
+  std::fill(model.links.break_stretch.begin(), model.links.break_stretch.end(), infinity);
+  std::fill(model.links.break_tension.begin(), model.links.break_tension.end(), infinity);
+}
+
+std::string pins_extent(const Model& model) {
+  return counted(model.driven_pins.size(), "pin", "pins");
+}
+
+std::string loads_extent(const Model& model) {
+  std::size_t masses = 0;
+  for (const Load& load : model.loads) masses += load.masses.size();
+  return counted(masses, "mass", "masses");
+}
+
+std::string ground_extent(const Model& model) {
+  return model.plane ? fmt::format("a plane, friction {:.4g}", model.plane->friction) : "";
+}
+
+constexpr std::array parts{
+    Part{"unequal masses", masses_extent, remove_unequal_masses},
+    Part{"compliance", compliance_extent, remove_compliance},
+    Part{"damping", damping_extent, remove_damping},
+    Part{"breaking", breaking_extent, remove_breaking},
+    Part{"drag", drag_extent, [](Model& model) { model.drag = 0.0; }},
+    Part{"loads", loads_extent, [](Model& model) { model.loads.clear(); }},
+    Part{"driven pins", pins_extent, [](Model& model) { model.driven_pins.clear(); }},
+    Part{"ground", ground_extent, [](Model& model) { model.plane.reset(); }},
+};
+
+// Whether a motion has no part along z.
+bool stays_flat(const Motion& motion) {
+  if (const auto* path = std::get_if<Path>(&motion))
+    return std::all_of(path->knots.begin(), path->knots.end(), [&](const Knot& knot) {
+      return knot.position.z() == path->knots.front().position.z();
+    });
+  return std::get<Sinusoid>(motion).amplitude.z() == 0.0;
+}
+
+}  // namespace
+
+std::span<const Part> model_parts() {
+  return parts;
+}
+
+bool equal_masses(const Model& model) {
+  const double mass = largest_free_mass(model);
+  for (std::size_t i = 0; i < model.masses.size(); ++i)
+    if (!model.masses.pinned(i) && model.masses.mass[i] != mass) return false;
+  return true;
+}
+
+bool stays_in_plane(const Model& model, const State& start) {
+  const auto& z = start.position.z;
+  const auto zero = [](double value) { return value == 0.0; };
+  const bool at_rest_in_it =
+      std::all_of(z.begin(), z.end(), [&](double value) { return value == z.front(); }) &&
+      std::all_of(start.velocity.z.begin(), start.velocity.z.end(), zero);
+  const bool pulled_along_it = zero(model.gravity.z()) && (!model.plane || zero(model.plane->normal.z())) &&
+                               std::all_of(model.loads.begin(), model.loads.end(),
+                                           [&](const Load& load) { return zero(load.force.z()); }) &&
+                               std::all_of(model.driven_pins.begin(), model.driven_pins.end(),
+                                           [](const DrivenPin& pin) { return stays_flat(pin.motion); });
+  return at_rest_in_it && pulled_along_it;
+}
+
+}  // namespace taut
