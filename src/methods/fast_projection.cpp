@@ -8,7 +8,8 @@
 //
 // α̃ = α/h², γ = α c/h as in XPBD. Drag is implicit in the links' forces too: W stands for W/(1 + h·drag). The
 // tension is λ/h². An impulse keeps the direction of the round that found it, so the sum is not quite along
-// the final directions: an error of first order like the method's own, and what lets it answer large moves.
+// the final directions: a difference of second order in the step, below the method's own error, and what lets
+// it answer large moves.
 
 #include "fast_projection.h"
 

@@ -109,11 +109,12 @@ TEST(Rattle, TreesAndNetsAgree) {
   EXPECT_LT(tree_net_difference("rattle", 1000.0), 1e-9);
 }
 
-// newton balances forces in nets and leaves an imbalance of first order in trees.
-TEST(Newton, TreesAndNetsAgreeToFirstOrder) {
+// newton balances forces in nets and nearly does in trees: what is left there makes a difference of second
+// order, below the method's own error.
+TEST(Newton, TreesAndNetsAgreeToSecondOrder) {
   const double coarse = tree_net_difference("newton", 1000.0), fine = tree_net_difference("newton", 4000.0);
   EXPECT_LT(coarse, 1e-4);
-  EXPECT_NEAR(coarse / fine, 4.0, 1.0);
+  EXPECT_NEAR(coarse / fine, 16.0, 3.0);
 }
 
 // Rigid diagonals make a sheet's links redundant: the system is singular and must be solved all the same.
