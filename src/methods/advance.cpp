@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <string_view>
 
 namespace taut {
@@ -24,21 +25,30 @@ StepReport guarded_step(Stepper& stepper, State& state, double h, int halvings) 
   return report;
 }
 
-// Whether a whole link is over a threshold. break_stretch is left to the stepper where that tests it within
-// the step.
-bool over_threshold(const Stepper& stepper, const Model& model, const State& state, Index link) {
-  if (state.tension[link] > model.links.break_tension[link]) return true;
-  const bool between_pins =
-      model.masses.pinned(model.links.a[link]) && model.masses.pinned(model.links.b[link]);
-  if (stepper.breaks_within_step() && !between_pins) return false;
-  return link_distance(model, state.position, link) >
-         model.links.break_stretch[link] * model.links.length[link];
+bool between_pins(const Model& model, Index link) {
+  return model.masses.pinned(model.links.a[link]) && model.masses.pinned(model.links.b[link]);
 }
 
+// Whether a link is longer than its break_stretch allows. Nearly every link is far from that, and its square
+// tells so without a root.
+bool overstretched(const Model& model, const Vectors& position, Index link) {
+  const double most = model.links.break_stretch[link] * model.links.length[link];
+  const Vec3 difference = position.at(model.links.a[link]) - position.at(model.links.b[link]);
+  const double square = difference.squaredNorm();
+  return square > 0.999999 * (most * most) && std::sqrt(square) > most;
+}
+
+// Every whole link over a threshold. break_stretch is left to the stepper where that tests it within the
+// step.
 std::int64_t break_links(const Stepper& stepper, const Model& model, State& state) {
+  const bool stretch_tested = stepper.breaks_within_step();
   std::int64_t breaks = 0;
   for (const Index link : model.breakable_links) {
-    if (state.broken(link) || !over_threshold(stepper, model, state, link)) continue;
+    if (state.broken(link)) continue;
+    const bool test_stretch = !stretch_tested || between_pins(model, link);
+    if (!(state.tension[link] > model.links.break_tension[link]) &&
+        !(test_stretch && overstretched(model, state.position, link)))
+      continue;
     state.broken_at[link] = state.time;
     state.tension[link] = 0.0;
     ++breaks;
