@@ -44,6 +44,7 @@ int run(int argument_count, char** arguments) {
   add_check(program, action);
   add_export(program, action);
   add_sag(program, action);
+  add_stability(program, action);
   add_list(program, action);
   try {
     program.parse(argument_count, arguments);

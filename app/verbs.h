@@ -16,6 +16,7 @@ void add_strip(CLI::App& program, Action& action);
 void add_check(CLI::App& program, Action& action);
 void add_export(CLI::App& program, Action& action);
 void add_sag(CLI::App& program, Action& action);
+void add_stability(CLI::App& program, Action& action);
 void add_list(CLI::App& program, Action& action);
 
 }  // namespace taut

@@ -76,6 +76,14 @@ double last_mass_ratio(const Model& model) {
   return model.masses.mass.back() / lightest;
 }
 
+// Kept velocities gain energy as t² whatever the step: a run that is long enough for 10³ energy scales
+// diverges, and runs of longer steps are longer (fewest_steps).
+Prediction kept_velocity_step(const MapPlan& plan, const Built& variant) {
+  const double gain = kept_velocity_gain(variant.model, variant.start, plan.duration);
+  const double time = plan.duration * std::sqrt(divergence / gain);
+  return {time > plan.duration ? time / static_cast<double>(fewest_steps) : 0.0, "energy m (g t)²/2"};
+}
+
 // The edge between the rows that hold from the shortest step on and the first that fails.
 std::optional<Edge> edge_of_rows(const MapPlan& plan, const MapColumn& column, const Built& variant,
                                  const Settings& given) {
@@ -126,7 +134,9 @@ std::optional<MapColumn> map_column(const MapPlan& plan, double value, const Bui
     column.edge = find_edge([&](double n) { return stretch_remains(n, variant, given); }, 1.0,
                             10.0 * column.predicted->value);
   } else {
-    column.predicted = predicted_step(variant.model, variant.start, method, truth.tensions);
+    column.predicted = method.can.limit == StepLimit::kept_velocities
+                           ? kept_velocity_step(plan, variant)
+                           : predicted_step(variant.model, variant.start, method, truth.tensions);
     column.edge = edge_of_rows(plan, column, variant, given);
   }
   return column;

@@ -73,7 +73,7 @@ std::optional<Prediction> predicted_step(const Model& model, const State& start,
   };
   if (limit == StepLimit::spring_frequency || limit == StepLimit::sideways_vibration) {
     const double frequency = highest_spring_frequency(model, start);
-    if (frequency > 0.0) take(2.0 / frequency, "2/ω_max");
+    if (frequency > 0.0) take(2.0 / frequency, "2/ωₘₐₓ");
   }
   if (limit == StepLimit::sideways_vibration && tensions) take(sideways_limit(model, *tensions), "√(m l/T)");
   return prediction;

@@ -94,7 +94,7 @@ const std::array<MapAxes, 5>& all_map_axes() {
       {"step,stiffness", MapRows::step, MapColumns::stiffness, "stiffness of a link (N/m)", 1e1, 1e7, false},
       {"step,links", MapRows::step, MapColumns::links, "links", 2.0, 100.0, true},
       {"passes,links", MapRows::passes, MapColumns::links, "links", 2.0, 40.0, true},
-      {"step,gravity", MapRows::step, MapColumns::gravity, "gravity (m/s²)", 1e-1, 1e5, false},
+      {"step,gravity", MapRows::step, MapColumns::gravity, "gravity (m/s²)", 1e-1, 1e4, false},
   }};
   return axes;
 }

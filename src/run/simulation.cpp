@@ -3,12 +3,18 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "base/failure.h"
+#include "measure/stability.h"
 #include "methods/advance.h"
 #include "methods/registry.h"
+#include "run/holding_rate.h"
 
 namespace taut {
 namespace {
+
+constexpr std::int64_t steps_between_looks = 256;
 
 const Method& capable_method(const Scene& scene) {
   const Method* method = find_method(scene.settings.method);
@@ -28,7 +34,8 @@ Simulation::Simulation(const Scene& scene, const Method& method)
       steps_per_second_(scene.settings.steps_per_second()),
       stepper_(method.make(scene.model, scene.settings)),
       state_(scene.start),
-      ledger_(scene.model, scene.start) {
+      ledger_(scene.model, scene.start),
+      energy_scale_(energy_scale(scene.model, scene.start)) {
   stepper_->links_changed(state_);
 }
 
@@ -39,6 +46,7 @@ std::optional<State> Simulation::at(double time, const StopTest& stop) {
     if (step_time(steps_ + 1) > time) before_ = state_;
     step();
   }
+  look_at_energy();
   if (state_.time == time) return state_;
   return interpolate(*before_, state_, time, method_.can.between_steps);
 }
@@ -47,11 +55,32 @@ void Simulation::step() {
   const double h = 1.0 / steps_per_second_;
   const StepReport report = advance(*stepper_, scene_.model, state_, h);
   if (report.status != StepStatus::done)
-    throw RunFailure(failure_sentence(scene_.model, state_, report, scene_.settings.method, h));
+    throw RunFailure(failure_sentence(scene_.model, state_, report, scene_.settings.method, h) +
+                     holding_rate_hint(scene_, state_.time));
   report_.add(report);
   ++steps_;
   state_.time = step_time(steps_);  // the sum of many h would drift away from it
   ledger_.record(state_);
+  if (steps_ % steps_between_looks == 0) look_at_energy();
+}
+
+// A run that has gone off tells so long before its numbers overflow. Only energy of motion counts: links that
+// a few passes leave stretched hold a lot of elastic energy while nothing is amiss.
+void Simulation::look_at_energy() const {
+  double fastest_pin = 0.0, mass = 0.0;
+  for (std::size_t i = 0; i < scene_.model.masses.size(); ++i) {
+    if (scene_.model.masses.pinned(i))
+      fastest_pin = std::max(fastest_pin, state_.velocity.at(i).squaredNorm());
+    else
+      mass += scene_.model.masses.mass[i];
+  }
+  const double scale = energy_scale_ + mass * fastest_pin + std::max(0.0, ledger_.loads());
+  const double times = energy(scene_.model, state_).kinetic / scale;
+  if (!(scale > 0.0) || !(times > divergence)) return;
+  throw RunFailure(fmt::format(
+      "the run with method {} at {} steps/s diverges: at t = {:.6g} s its masses move with {:.3g} times the "
+      "scene's energy; try more steps_per_second, or another method{}",
+      scene_.settings.method, steps_per_second_, state_.time, times, holding_rate_hint(scene_, state_.time)));
 }
 
 State Simulation::reported(const State& state) const {

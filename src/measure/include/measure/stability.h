@@ -10,6 +10,9 @@
 
 namespace taut {
 
+/// Energy that a run has gained from nothing, over the energy scale, when it counts as diverged.
+inline constexpr double divergence = 1e3;
+
 /// How a run with the guard off ended.
 enum class Fate {
   held,      ///< finite to the end, its energy within 1 % of the energy scale

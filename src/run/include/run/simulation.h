@@ -25,7 +25,8 @@ class Simulation {
 
   /// The state at a time (s), which must not be earlier than the one asked for before: between two steps
   /// interpolated from the two. Nothing when told to stop on the way. Throws RunFailure, in words, when a
-  /// step fails.
+  /// step fails, and when the masses move with 10³ times the scene's energy; it then says with how many steps
+  /// per second the method would hold, where that is found soon.
   std::optional<State> at(double time, const StopTest& stop = {});
 
   /// Steps made so far.
@@ -41,6 +42,7 @@ class Simulation {
   Simulation(const Scene& scene, const Method& method);
   double step_time(std::int64_t step) const { return static_cast<double>(step) / steps_per_second_; }
   void step();
+  void look_at_energy() const;
 
   const Scene& scene_;
   const Method& method_;
@@ -48,6 +50,7 @@ class Simulation {
   std::unique_ptr<Stepper> stepper_;
   State state_;
   WorkLedger ledger_;
+  double energy_scale_;          // J
   std::optional<State> before_;  ///< the step before state_, where a time in between was asked for
   std::int64_t steps_ = 0;
   StepReport report_;

@@ -1,0 +1,144 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/failure.h"
+#include "exit_status.h"
+#include "flags.h"
+#include "methods/registry.h"
+#include "output/gnuplot.h"
+#include "run/signals.h"
+#include "run/stability_files.h"
+#include "values.h"
+#include "verbs.h"
+
+namespace taut {
+namespace {
+
+struct StabilityFlags {
+  std::vector<std::string> scenes{"level-chain"}, sets, axes{"step,mass-ratio", "step,stiffness"};
+  std::string methods, grid = "40x30", duration = "0.6", folder, shard;
+  bool resume = false, overwrite = false, draw_only = false, json = false, quiet = false;
+};
+
+std::vector<std::string> split(const std::string& text) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+// All methods, or those of --methods, each once. Throws BadRequest for a name that is none.
+std::vector<std::string> chosen_methods(const std::string& list) {
+  std::vector<std::string> names;
+  if (list.empty()) {
+    for (const Method& method : all_methods()) names.emplace_back(method.name);
+    return names;
+  }
+  for (const std::string& name : split(list)) {
+    complete_settings({name, {}});
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  return names;
+}
+
+// A map of one scene over one pair of axes.
+struct MapJob {
+  Scene scene;
+  StabilityRequest request;
+  std::filesystem::path folder;
+};
+
+MapJob job_for(const StabilityFlags& flags, const std::string& scene, const std::string& axes) {
+  MapJob job;
+  job.scene = load(scene, {flags.sets, std::nullopt});
+  const Size grid = parse_size("--grid", flags.grid);
+  if (grid.width < 2 || grid.height < 2 || grid.width > 400 || grid.height > 400)
+    throw BadRequest(fmt::format("--grid must be from 2x2 to 400x400, not {}", flags.grid));
+  const double duration = parse_seconds("--duration", flags.duration);
+  if (!(duration > 0.0)) throw BadRequest("--duration must be above 0 s");
+  job.request.methods = chosen_methods(flags.methods);
+  job.request.plan = make_map_plan(job.scene, find_map_axes(axes), grid.width, grid.height, duration);
+  job.request.shard = flags.shard.empty() ? shard_of_this_task() : parse_shard(flags.shard);
+  job.request.overwrite = flags.overwrite;
+  job.request.run = !flags.draw_only;
+  check_map_request(job.scene, job.request);
+  std::string name = axes;
+  std::replace(name.begin(), name.end(), ',', '-');
+  const std::filesystem::path base = flags.folder.empty() ? "out/stability" : flags.folder;
+  job.folder = base / job.scene.name / name;
+  return job;
+}
+
+// Makes the maps of one job and draws them, unless they are only a shard's; gives the exit status.
+int carry_out(const MapJob& job, const StabilityFlags& flags, const InterruptWatch& interrupts) {
+  Progress progress(stderr, progress_style(stderr, flags.quiet), "columns");
+  const StabilityMaps maps = make_stability_maps(job.scene, job.request, job.folder, progress,
+                                                 [&] { return interrupts.caught() != 0; });
+  if (flags.json) fmt::print("{}", stability_json(maps, job.scene));
+  if (!flags.quiet)
+    fmt::print(stderr, "{} {}: {} of {} columns, in {}\n", job.scene.name, job.request.plan.axes->name,
+               maps.count.completed, maps.count.planned, job.folder.string());
+  if (maps.stopped) return exit_signal + interrupts.caught();
+  if (job.request.shard.all()) write_stability_files(maps, job.scene, job.folder);
+  return maps.count.completed < maps.count.planned ? exit_incomplete : exit_done;
+}
+
+int stability(const StabilityFlags& flags) {
+  if (flags.resume && flags.overwrite) throw BadRequest("--resume and --overwrite exclude each other");
+  std::vector<MapJob> jobs;
+  for (const std::string& scene : flags.scenes)
+    for (const std::string& axes : flags.axes) jobs.push_back(job_for(flags, scene, axes));
+  require_gnuplot();
+  const InterruptWatch interrupts;
+  int status = exit_done;
+  for (const MapJob& job : jobs) {
+    const int ended = carry_out(job, flags, interrupts);
+    if (interrupts.caught() != 0) return ended;
+    status = std::max(status, ended);
+  }
+  return status;
+}
+
+}  // namespace
+
+void add_stability(CLI::App& program, Action& action) {
+  CLI::App* verb = program.add_subcommand("stability", "Maps of where each method fails");
+  const auto flags = std::make_shared<StabilityFlags>();
+  verb->add_option("SCENE", flags->scenes, "Scene files, or bare names of `taut list scenes` [level-chain]");
+  verb->add_option("--methods", flags->methods, "Only these, such as xpbd,rattle [all]");
+  verb->add_option("--axes", flags->axes,
+                   "step,mass-ratio  step,stiffness  step,links  passes,links  step,gravity; any number of "
+                   "times [the first two]")
+      ->allow_extra_args(false);
+  verb->add_option("--grid", flags->grid, "Columns x rows of a map")->capture_default_str();
+  verb->add_option("--duration", flags->duration, "Seconds of every run, at most the scene's")
+      ->capture_default_str();
+  verb->add_option("--set", flags->sets, "Change a key of the scene: key=value, any number of times")
+      ->allow_extra_args(false);
+  verb->add_option("-o,--output", flags->folder, "Folder [out/stability]");
+  verb->add_flag("--resume", flags->resume, "Go on where an earlier run stopped, as it does anyway");
+  verb->add_flag("--overwrite", flags->overwrite, "Begin anew, whatever the folder holds");
+  verb->add_option("--shard", flags->shard,
+                   "Only part i of n: i/n [SLURM_ARRAY_TASK_ID and SLURM_ARRAY_TASK_COUNT]. Run without it "
+                   "afterwards to draw");
+  verb->add_flag("--draw-only", flags->draw_only,
+                 "Run nothing, draw what is there; status 3 where columns are missing");
+  verb->add_flag("--json", flags->json, "Print the maps as JSON on stdout");
+  verb->add_flag("--quiet", flags->quiet, "No progress and no summary");
+  verb->footer(
+      "Every run has the guard off: no step is halved. Colour is the position error over the total link\n"
+      "length; hatched is what diverged; circles are the measured edge, the line is what theory predicts.\n\n"
+      "Example:\n  taut stability level-chain --methods rattle,xpbd --axes step,mass-ratio");
+  verb->callback([flags, &action] { action = [flags] { return stability(*flags); }; });
+}
+
+}  // namespace taut
