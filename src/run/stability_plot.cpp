@@ -49,10 +49,14 @@ std::string boxes(const StabilityMaps& maps, const MethodMap& map, const std::ve
   return text;
 }
 
+// Of so many columns that circles would run into each other only some are marked.
 std::string edge_points(const MethodMap& map) {
+  constexpr std::size_t most_marks = 14;
+  const std::size_t stride = (map.columns.size() + most_marks - 1) / most_marks;
   std::string text;
-  for (const MapColumn& column : map.columns)
-    if (column.edge) fmt::format_to(std::back_inserter(text), "{} {}\n", column.value, column.edge->value());
+  for (std::size_t i = 0; i < map.columns.size(); i += stride)
+    if (const MapColumn& column = map.columns[i]; column.edge)
+      fmt::format_to(std::back_inserter(text), "{} {}\n", column.value, column.edge->value());
   return text;
 }
 
@@ -102,10 +106,10 @@ std::string lines_in_the_middle(const std::string& text) {
 }
 
 constexpr std::string_view cell_columns = "using 1:2:3:4:5:6 with boxxyerror";
-constexpr std::string_view casing_style = "with lines lw 9 lc rgb '#ffffff'";
-constexpr std::string_view predicted_style = "with lines lw 4 dt (14,8) lc rgb '#000000'";
-constexpr std::string_view edge_ring_style = "with points pt 7 ps 1.5 lc rgb '#000000'";
-constexpr std::string_view edge_core_style = "with points pt 7 ps 0.9 lc rgb '#ffffff'";
+constexpr std::string_view casing_style = "with lines lw 7 lc rgb '#ffffff'";
+constexpr std::string_view predicted_style = "with lines lw 4 dt (14,7) lc rgb '#000000'";
+constexpr std::string_view edge_ring_style = "with points pt 7 ps 2.4 lc rgb '#000000'";
+constexpr std::string_view edge_core_style = "with points pt 7 ps 1.7 lc rgb '#ffffff'";
 
 // One panel of a multiplot.
 std::string panel(const StabilityMaps& maps, const MethodMap& map, const Place& place, const Labels& labels) {
@@ -114,8 +118,8 @@ std::string panel(const StabilityMaps& maps, const MethodMap& map, const Place& 
       "{}\n",
       place.left, place.right, place.bottom, place.top);
   script += ranges(maps.plan);
-  script += fmt::format("set title {} offset 0,-0.6\nset xlabel {}\nset ylabel {}\n", plot_text(labels.title),
-                        plot_text(labels.x), plot_text(labels.y));
+  script += fmt::format("set title {} offset 0,-0.6\nset xlabel {}\nset ylabel {} offset 0.8,0\n",
+                        plot_text(labels.title), plot_text(labels.x), plot_text(labels.y));
   const bool small = maps.plan.axes->whole;
   script += fmt::format("set format x '{}'\nset format y '{}'\n",
                         labels.x.empty() ? "" : (small ? "%g" : "10^{%L}"),
@@ -131,12 +135,12 @@ std::string panel(const StabilityMaps& maps, const MethodMap& map, const Place& 
     add(fmt::format("paint{}", paint), boxes(maps, map, cells, paint),
         fmt::format("{} fs {} noborder fc rgb '{}'", cell_columns,
                     paint == paint_diverged ? "pattern 4" : "solid 1.0", map_paint(paint)));
-  const std::string predicted = predicted_points(maps, map);
-  add("casing", predicted, casing_style);
-  add("predicted", predicted, predicted_style);
   const std::string edges = edge_points(map);
   add("edge", edges, edge_ring_style);
   add("inside", edges, edge_core_style);
+  const std::string predicted = predicted_points(maps, map);
+  add("casing", predicted, casing_style);
+  add("predicted", predicted, predicted_style);
   if (plots.empty()) {
     plots = "plot 0 notitle";
     script += lines_in_the_middle(why_empty(map));
@@ -246,10 +250,10 @@ PlotScript overview_plot(const StabilityMaps& maps, const std::string& title) {
                               1.0 - 32.0 * pixel);
   for (std::size_t i = 0; i < maps.maps.size(); ++i) {
     const std::size_t column = i % across, row = i / across;
-    const double left = 0.08 + 0.235 * static_cast<double>(column);
+    const double left = 0.083 + 0.235 * static_cast<double>(column);
     const double top = 1.0 - (130.0 + 560.0 * static_cast<double>(row)) * pixel;
     const bool lowest = i + across >= maps.maps.size();
-    plot.commands += panel(maps, maps.maps[i], {left, left + 0.205, top - 440.0 * pixel, top},
+    plot.commands += panel(maps, maps.maps[i], {left, left + 0.198, top - 440.0 * pixel, top},
                            {with_formula(maps.maps[i]), lowest ? std::string(maps.plan.axes->title) : "",
                             column == 0 ? y_title(maps.plan) : ""});
   }
