@@ -36,18 +36,19 @@ std::vector<std::string> split(const std::string& text) {
   return parts;
 }
 
-// All methods, or those of --methods, each once. Throws BadRequest for a name that is none.
-std::vector<std::string> chosen_methods(const std::string& list) {
-  std::vector<std::string> names;
+// All methods, or those of --methods. Throws BadRequest for one that is none, and for one that comes twice.
+std::vector<MapMethod> chosen_methods(const std::string& list) {
+  std::vector<MapMethod> chosen;
   if (list.empty()) {
-    for (const Method& method : all_methods()) names.emplace_back(method.name);
-    return names;
+    for (const Method& method : all_methods()) chosen.push_back(parse_map_method(std::string(method.name)));
+    return chosen;
   }
-  for (const std::string& name : split(list)) {
-    complete_settings({name, {}});
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  for (const std::string& text : split(list)) {
+    for (const MapMethod& other : chosen)
+      if (other.label == text) throw BadRequest(fmt::format("--methods has {} twice", text));
+    chosen.push_back(parse_map_method(text));
   }
-  return names;
+  return chosen;
 }
 
 // A map of one scene over one pair of axes.
@@ -114,7 +115,8 @@ void add_stability(CLI::App& program, Action& action) {
   CLI::App* verb = program.add_subcommand("stability", "Maps of where each method fails");
   const auto flags = std::make_shared<StabilityFlags>();
   verb->add_option("SCENE", flags->scenes, "Scene files, or bare names of `taut list scenes` [level-chain]");
-  verb->add_option("--methods", flags->methods, "Only these, such as xpbd,rattle [all]");
+  verb->add_option("--methods", flags->methods,
+                   "Only these, such as rattle,xpbd:passes=4,xpbd:precision=single [all]");
   verb->add_option("--axes", flags->axes,
                    "step,mass-ratio  step,stiffness  step,links  passes,links  step,gravity; any number of "
                    "times [the first two]")

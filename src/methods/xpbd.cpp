@@ -24,6 +24,7 @@
 #include "methods/method.h"
 #include "model/parts.h"
 #include "parameters.h"
+#include "xpbd_single.h"
 
 namespace taut {
 namespace {
@@ -233,10 +234,18 @@ class XpbdStepper final : public Stepper {
   Vectors start_, velocity_;
 };
 
-constexpr std::array params{steps_per_second_param(600.0), passes_param(1.0)};
+constexpr std::array<std::string_view, 2> precisions{"double", "single"};
+constexpr std::array params{
+    steps_per_second_param(600.0),
+    passes_param(1.0),
+    Param{"precision", "", 0, 0, 0, false, precisions,
+          "of positions and velocities; single shows what rounding does, and is no quicker here"},
+};
 
 std::unique_ptr<Stepper> make(const Model& model, const Settings& settings) {
-  return std::make_unique<XpbdStepper>(model, static_cast<int>(settings.number("passes")));
+  const int passes = static_cast<int>(settings.number("passes"));
+  if (settings.choice("precision") == "single") return make_single_xpbd(model, passes);
+  return std::make_unique<XpbdStepper>(model, passes);
 }
 
 }  // namespace

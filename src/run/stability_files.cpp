@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -53,6 +54,14 @@ bool lacks_references(const StabilityMaps& maps) {
   return false;
 }
 
+// A label without what has a meaning in paths or shells.
+std::string file_name(const MethodMap& map) {
+  std::string name = map.method;
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return c == ':' || c == '=' || c == '/'; }, '-');
+  return name;
+}
+
 std::string title_of(const StabilityMaps& maps, const Scene& scene) {
   std::string title = fmt::format("{}, {} s, guard off", scene.title, maps.plan.duration);
   if (maps.plan.axes->rows == MapRows::step && lacks_references(maps))
@@ -85,7 +94,7 @@ void write_stability_files(const StabilityMaps& maps, const Scene& scene,
   write_file(folder / "edges.csv", edges_csv(maps));
   write_file(folder / "maps.json", stability_json(maps, scene));
   const std::string title = title_of(maps, scene);
-  for (const MethodMap& map : maps.maps) write_plot(map_plot(maps, map, title), folder / map.method);
+  for (const MethodMap& map : maps.maps) write_plot(map_plot(maps, map, title), folder / file_name(map));
   write_plot(overview_plot(maps, title), folder / "overview");
 }
 

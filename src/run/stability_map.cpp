@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <charconv>
 #include <exception>
 #include <map>
 #include <mutex>
@@ -24,15 +25,15 @@ constexpr double fewest_passes = 1.0, most_passes = 3000.0;
 // One column of one method's map.
 struct Case {
   std::size_t column;  // in the plan
-  std::string method;
+  const MapMethod* method;
   std::string key;
 };
 
 std::vector<Case> all_cases(const StabilityRequest& request) {
   std::vector<Case> cases;
   for (std::size_t column = 0; column < request.plan.columns.size(); ++column)
-    for (const std::string& method : request.methods)
-      cases.push_back({column, method, fmt::format("{} {}", method, request.plan.columns[column])});
+    for (const MapMethod& method : request.methods)
+      cases.push_back({column, &method, fmt::format("{} {}", method.label, request.plan.columns[column])});
   return cases;
 }
 
@@ -44,9 +45,12 @@ std::string inputs_of(const Scene& scene, const MapPlan& plan) {
   return hash.add(std::span(&plan.duration, 1)).hex();
 }
 
-// The scene's own parameters where it is made for the method, defaults elsewhere.
-Settings given_settings(const Scene& scene, const std::string& method) {
-  return scene.settings.method == method ? scene.settings : Settings{method, {}};
+// What is given, then the scene's own parameters where it is made for the method; defaults elsewhere.
+Settings given_settings(const Scene& scene, const MapMethod& method) {
+  Settings settings = method.settings;
+  if (scene.settings.method == settings.method)
+    settings.values.insert(scene.settings.values.begin(), scene.settings.values.end());
+  return settings;
 }
 
 std::filesystem::path file_of(const std::filesystem::path& folder, const Shard& shard) {
@@ -131,7 +135,7 @@ class Sweep {
     std::map<bool, std::pair<Built, ColumnTruth>> by_rigidity;
     const double value = request_.plan.columns[cases.front().column];
     for (const Case& one : cases) {
-      const Method& method = *find_method(one.method);
+      const Method& method = *find_method(one.method->settings.method);
       auto known = by_rigidity.find(method.can.rigid);
       if (known == by_rigidity.end()) {
         Built variant = map_variant(scene_.description, request_.plan.axes->columns, value, method);
@@ -139,8 +143,8 @@ class Sweep {
         known = by_rigidity.emplace(method.can.rigid, std::pair(std::move(variant), std::move(truth))).first;
       }
       const auto& [variant, truth] = known->second;
-      const auto column = map_column(request_.plan, value, variant, truth, given_settings(scene_, one.method),
-                                     [this] { return stopping(); });
+      const auto column = map_column(request_.plan, value, variant, truth,
+                                     given_settings(scene_, *one.method), [this] { return stopping(); });
       if (!column) return;
       const std::lock_guard lock(mutex_);
       store_.add(one.key, map_column_to_json(*column));
@@ -164,14 +168,14 @@ class Sweep {
 StabilityMaps gather(const StabilityRequest& request, const CaseStore& store) {
   StabilityMaps maps;
   maps.plan = request.plan;
-  for (const std::string& method : request.methods) maps.maps.push_back({method, {}});
+  for (const MapMethod& method : request.methods) maps.maps.push_back({method.label, {}});
   std::vector<std::string> planned;
   for (const Case& one : all_cases(request)) {
     if (!request.shard.has(one.column)) continue;
     planned.push_back(one.key);
     if (!store.has(one.key)) continue;
     const auto map = std::find_if(maps.maps.begin(), maps.maps.end(),
-                                  [&](const MethodMap& each) { return each.method == one.method; });
+                                  [&](const MethodMap& each) { return each.method == one.method->label; });
     map->columns.push_back(map_column_from_json(store.result(one.key)));
   }
   maps.count = store.count(planned);
@@ -179,6 +183,30 @@ StabilityMaps gather(const StabilityRequest& request, const CaseStore& store) {
 }
 
 }  // namespace
+
+MapMethod parse_map_method(const std::string& text) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(':', begin), text.size());
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  MapMethod method{text, {parts.front(), {}}};
+  complete_settings(method.settings);
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    const std::size_t equals = parts[i].find('=');
+    const std::string name = parts[i].substr(0, equals);
+    const std::string value = equals == std::string::npos ? "" : parts[i].substr(equals + 1);
+    double number = 0.0;
+    const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
+    if (error == std::errc() && end == value.data() + value.size())
+      method.settings.values[name] = number;
+    else
+      method.settings.values[name] = value;
+  }
+  complete_settings(method.settings);
+  return method;
+}
 
 MapPlan make_map_plan(const Scene& scene, const MapAxes& axes, int columns, int rows, double longest) {
   MapPlan plan;
@@ -191,9 +219,9 @@ MapPlan make_map_plan(const Scene& scene, const MapAxes& axes, int columns, int 
 }
 
 void check_map_request(const Scene& scene, const StabilityRequest& request) {
-  for (const std::string& method : request.methods)
+  for (const MapMethod& method : request.methods)
     map_variant(scene.description, request.plan.axes->columns, request.plan.columns.front(),
-                *find_method(method));
+                *find_method(method.settings.method));
 }
 
 StabilityMaps make_stability_maps(const Scene& scene, const StabilityRequest& request,

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 
@@ -241,19 +242,21 @@ PlotScript map_plot(const StabilityMaps& maps, const MethodMap& map, const std::
 }
 
 PlotScript overview_plot(const StabilityMaps& maps, const std::string& title) {
-  constexpr std::size_t across = 4;
+  const std::size_t across = std::clamp<std::size_t>(maps.maps.size(), 1, 4);
   const std::size_t down = (maps.maps.size() + across - 1) / across;
   PlotScript plot;
-  plot.size = {2400, 320 + 560 * static_cast<int>(down)};
-  const double pixel = 1.0 / plot.size.height;
+  plot.size = {std::max(1800, 600 * static_cast<int>(across)), 320 + 560 * static_cast<int>(down)};
+  const double pixel = 1.0 / plot.size.height, across_pixel = 1.0 / plot.size.width;
+  const double pitch = (1.0 - 145.0 * across_pixel) / static_cast<double>(across);
   plot.commands = fmt::format("set multiplot\nset label {} at screen 0.5,{} center\n", plot_text(title),
                               1.0 - 32.0 * pixel);
   for (std::size_t i = 0; i < maps.maps.size(); ++i) {
     const std::size_t column = i % across, row = i / across;
-    const double left = 0.083 + 0.235 * static_cast<double>(column);
+    const double left = 200.0 * across_pixel + pitch * static_cast<double>(column);
+    const double right = left + pitch - 90.0 * across_pixel;
     const double top = 1.0 - (130.0 + 560.0 * static_cast<double>(row)) * pixel;
     const bool lowest = i + across >= maps.maps.size();
-    plot.commands += panel(maps, maps.maps[i], {left, left + 0.198, top - 440.0 * pixel, top},
+    plot.commands += panel(maps, maps.maps[i], {left, right, top - 440.0 * pixel, top},
                            {with_formula(maps.maps[i]), lowest ? std::string(maps.plan.axes->title) : "",
                             column == 0 ? y_title(maps.plan) : ""});
   }

@@ -13,9 +13,19 @@
 
 namespace taut {
 
+/// A method with parameters that differ from the scene's or the defaults.
+struct MapMethod {
+  std::string label;  ///< as on the command line: xpbd, or xpbd:precision=single
+  Settings settings;  ///< method, and the parameters that are given
+};
+
+/// What a text such as xpbd:precision=single:passes=4 means. Throws BadRequest for a name, parameter or value
+/// that is none.
+MapMethod parse_map_method(const std::string& text);
+
 /// Which maps are to be made of a scene, and how.
 struct StabilityRequest {
-  std::vector<std::string> methods;  ///< names from the registry
+  std::vector<MapMethod> methods;
   MapPlan plan;
   Shard shard;
   bool overwrite = false;
@@ -24,7 +34,7 @@ struct StabilityRequest {
 
 /// The map of one method, as far as its columns are there.
 struct MethodMap {
-  std::string method;
+  std::string method;              ///< its label
   std::vector<MapColumn> columns;  ///< rising values
 };
 
