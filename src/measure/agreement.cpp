@@ -29,7 +29,7 @@ struct Opinion {
   std::size_t method = 0;
   double rate = 0.0;
   End coarse, fine;
-  double first_break = infinity;  // s, in the finer run
+  State end;  // of the finer run
 };
 
 struct Sizes {
@@ -52,7 +52,7 @@ double least_work(const Model& model, const Curve& curve) {
   StepReport step;
   step.link_solves = static_cast<std::int64_t>(model.links.size());
   step.factorisations = curve.relaxes ? 0 : 1;
-  return predicted_seconds(model, step);
+  return predicted_seconds(model, step, 1.0);
 }
 
 std::optional<Opinion> opinion_of(const Model& model, const State& start, const Curve& curve, double horizon,
@@ -64,11 +64,11 @@ std::optional<Opinion> opinion_of(const Model& model, const State& start, const 
     if (rate * horizon * least_work(model, curve) > most_seconds) break;
     try {
       const SampledRun run = sampled_run(model, start, settings_at(curve, rate, 1), {horizon}, chart_guard);
-      work = predicted_seconds(model, run.report);
+      work = predicted_seconds(model, run.report, rate * horizon);
       if (run.diverged) continue;
       const State& state = run.states.back();
       const End fine{sag(model, state), energy(model, state).total(), link_strain(model, state).largest};
-      if (coarse) opinion = Opinion{curve.name, curve.method, rate, *coarse, fine, run.first_break};
+      if (coarse) opinion = Opinion{curve.name, curve.method, rate, *coarse, fine, state};
       coarse = fine;
     } catch (const BadRequest&) {
       continue;  // springs too stiff for this step
@@ -87,13 +87,57 @@ Errors uncertainty_of(const Opinion& a, const Opinion& b, const Sizes& sizes) {
   return result;
 }
 
-// What was said before an earlier cut of the horizon.
-std::string without_break(const std::string& why) {
-  return why.substr(0, why.find("; looked at"));
-}
-
 double sum_of(const Errors& errors) {
   return *errors[ErrorKind::sag] + *errors[ErrorKind::energy];
+}
+
+// The scene without its ground and with links that never break: the same until something breaks or lands, and
+// within reach of more methods.
+Model without_events(const Model& model) {
+  Model calm = model;
+  calm.plane.reset();
+  calm.breakable_links.clear();
+  std::ranges::fill(calm.links.break_stretch, infinity);
+  std::ranges::fill(calm.links.break_tension, infinity);
+  return calm;
+}
+
+// When the first link breaks (s), by the first method that can do the whole scene; infinity where none
+// breaks.
+double first_break(const Model& model, const State& start, double horizon, double most_seconds) {
+  for (const Curve& curve : curves_for(model).curves) {
+    double rate = 120.0;
+    while (2.0 * rate * horizon * least_work(model, curve) <= most_seconds) rate *= 2.0;
+    const SampledRun run = sampled_run(model, start, settings_at(curve, rate, 1), {horizon}, chart_guard);
+    if (!run.diverged) return run.first_break;
+  }
+  return infinity;
+}
+
+bool below(const Plane& plane, const State& state) {
+  for (std::size_t i = 0; i < state.position.size(); ++i)
+    if (plane.normal.dot(state.position.at(i) - plane.point) < 0.0) return true;
+  return false;
+}
+
+struct Pair {
+  Opinion first, second;
+};
+
+// The two opinions of different methods that differ least, the surer one first.
+std::optional<Pair> best_pair(const std::vector<Opinion>& opinions, const Sizes& sizes) {
+  std::optional<Pair> best;
+  for (const Opinion& a : opinions)
+    for (const Opinion& b : opinions) {
+      if (a.method >= b.method) continue;
+      if (best &&
+          sum_of(uncertainty_of(a, b, sizes)) >= sum_of(uncertainty_of(best->first, best->second, sizes)))
+        continue;
+      const bool a_first =
+          sum_of(difference(a.coarse, a.fine, sizes)) <= sum_of(difference(b.coarse, b.fine, sizes));
+      best = a_first ? Pair{a, b} : Pair{b, a};
+    }
+  return best;
 }
 
 }  // namespace
@@ -103,35 +147,26 @@ Truth truth_by_agreement(const Model& model, const State& start, double horizon,
   Truth truth;
   truth.times = {horizon};
   truth.remark = why;
-  std::vector<Opinion> opinions;
-  for (const Curve& curve : curves_for(model).curves)
-    if (auto opinion = opinion_of(model, start, curve, horizon, most_seconds))
-      opinions.push_back(*std::move(opinion));
-
-  const Sizes sizes{scene_size(model, start), energy_scale(model, start)};
-  std::optional<std::pair<Opinion, Opinion>> best;
-  for (const Opinion& a : opinions)
-    for (const Opinion& b : opinions) {
-      if (a.method >= b.method) continue;
-      const bool a_first =
-          sum_of(difference(a.coarse, a.fine, sizes)) <= sum_of(difference(b.coarse, b.fine, sizes));
-      const auto pair = a_first ? std::pair(a, b) : std::pair(b, a);
-      if (!best ||
-          sum_of(uncertainty_of(a, b, sizes)) < sum_of(uncertainty_of(best->first, best->second, sizes)))
-        best = pair;
+  if (!model.breakable_links.empty()) {
+    if (const double at = first_break(model, start, horizon, most_seconds); at < infinity) {
+      truth.times = {std::max(1.0, std::floor(0.8 * at * 60.0)) / 60.0};
+      truth.remark += fmt::format("; looked at at {:.3g} s, before the first link breaks", truth.horizon());
     }
+  }
+  const Model calm = without_events(model);
+  const Sizes sizes{scene_size(model, start), energy_scale(model, start)};
+  std::vector<Opinion> opinions;
+  for (const Curve& curve : curves_for(calm).curves) {
+    auto opinion = opinion_of(calm, start, curve, truth.horizon(), most_seconds);
+    if (opinion && !(model.plane && below(*model.plane, opinion->end)))
+      opinions.push_back(*std::move(opinion));
+  }
+  const std::optional<Pair> best = best_pair(opinions, sizes);
   if (!best) {
     truth.remark += "; no two methods can be run finely enough to agree";
     return truth;
   }
   const auto& [first, second] = *best;
-  if (const double first_break = std::min(first.first_break, second.first_break); first_break < infinity) {
-    const double before = std::floor(0.8 * first_break * 60.0) / 60.0;
-    if (before > 0.0)
-      return truth_by_agreement(
-          model, start, before, most_seconds,
-          fmt::format("{}; looked at at {:.3g} s, before links break", without_break(why), before));
-  }
   truth.sag = first.fine.sag;
   truth.energy = first.fine.energy;
   truth.strain = first.fine.strain;

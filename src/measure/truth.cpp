@@ -26,26 +26,38 @@ double strain_difference(const Model& model, const State& state, const State& tr
   return largest;
 }
 
-double strain_error(const Model& model, const Truth& truth, const std::vector<State>& states) {
+// A number at a time against what it should be there, the largest difference over all times.
+template <class Number>
+double largest_difference(std::span<const State> states, std::span<const State> truth, const Number& number) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < states.size(); ++i)
+    largest = std::max(largest, std::abs(number(states[i]) - number(truth[i])));
+  return largest;
+}
+
+double strain_error(const Model& model, std::span<const State> states, std::span<const State> truth) {
   double error = 0.0;
-  if (has_rigid_links(model)) {
-    for (const State& state : states) error = std::max(error, rigid_strain(model, state));
-  } else if (truth.states.empty()) {
-    error = std::abs(link_strain(model, states.back()).largest - truth.strain);
-  } else {
-    for (std::size_t i = 0; i < states.size(); ++i)
-      error = std::max(error, strain_difference(model, states[i], truth.states[i]));
-  }
+  for (std::size_t i = 0; i < states.size(); ++i)
+    error = std::max(error, has_rigid_links(model) ? rigid_strain(model, states[i])
+                                                   : strain_difference(model, states[i], truth[i]));
   return error;
 }
 
-double energy_difference(const Model& model, const Truth& truth, const std::vector<State>& states) {
-  if (truth.states.empty()) return std::abs(energy(model, states.back()).total() - truth.energy);
-  double error = 0.0;
-  for (std::size_t i = 0; i < states.size(); ++i)
-    error =
-        std::max(error, std::abs(energy(model, states[i]).total() - energy(model, truth.states[i]).total()));
-  return error;
+// What an end in three numbers can judge.
+double error_of_end(const Model& model, const State& start, const Truth& truth, ErrorKind kind,
+                    const State& end) {
+  switch (kind) {
+    case ErrorKind::trajectory:
+      return infinity;
+    case ErrorKind::strain:
+      return has_rigid_links(model) ? rigid_strain(model, end)
+                                    : std::abs(link_strain(model, end).largest - truth.strain);
+    case ErrorKind::energy:
+      return std::abs(energy(model, end).total() - truth.energy) / energy_scale(model, start);
+    case ErrorKind::sag:
+      return std::abs(sag(model, end) - truth.sag) / scene_size(model, start);
+  }
+  return infinity;
 }
 
 }  // namespace
@@ -75,20 +87,33 @@ Truth truth_from(const Model& model, const State& start, const Reference& refere
   return truth;
 }
 
-Errors judge(const Model& model, const State& start, const Truth& truth, const std::vector<State>& states) {
-  const double size = scene_size(model, start);
-  Errors errors;
-  if (truth.smallest[ErrorKind::trajectory]) {
-    double distance = 0.0;
-    for (std::size_t i = 0; i < states.size(); ++i)
-      distance = std::max(distance, position_error(states[i], truth.states[i]));
-    errors[ErrorKind::trajectory] = distance / size;
+double error_against(const Model& model, const State& start, ErrorKind kind, std::span<const State> states,
+                     std::span<const State> truth) {
+  switch (kind) {
+    case ErrorKind::trajectory: {
+      double distance = 0.0;
+      for (std::size_t i = 0; i < states.size(); ++i)
+        distance = std::max(distance, position_error(states[i], truth[i]));
+      return distance / scene_size(model, start);
+    }
+    case ErrorKind::strain:
+      return strain_error(model, states, truth);
+    case ErrorKind::energy:
+      return largest_difference(states, truth,
+                                [&](const State& state) { return energy(model, state).total(); }) /
+             energy_scale(model, start);
+    case ErrorKind::sag:
+      return std::abs(sag(model, states.back()) - sag(model, truth.back())) / scene_size(model, start);
   }
-  if (truth.smallest[ErrorKind::strain]) errors[ErrorKind::strain] = strain_error(model, truth, states);
-  if (truth.smallest[ErrorKind::energy])
-    errors[ErrorKind::energy] = energy_difference(model, truth, states) / energy_scale(model, start);
-  if (truth.smallest[ErrorKind::sag])
-    errors[ErrorKind::sag] = std::abs(sag(model, states.back()) - truth.sag) / size;
+  return infinity;
+}
+
+Errors judge(const Model& model, const State& start, const Truth& truth, const std::vector<State>& states) {
+  Errors errors;
+  for (const ErrorKind kind : all_error_kinds)
+    if (truth.smallest[kind])
+      errors[kind] = truth.states.empty() ? error_of_end(model, start, truth, kind, states.back())
+                                          : error_against(model, start, kind, states, truth.states);
   return errors;
 }
 

@@ -80,7 +80,8 @@ void GridWalk::record(const JudgedRun& run) {
   Row& row = walk.rows[place];
   row.next = current_.fineness + 1;
   if (run.diverged) return;
-  const Judged judged{run.errors, predicted_seconds(model_, run.counts)};
+  const Judged judged{run.errors,
+                      predicted_seconds(model_, run.counts, truth_.horizon() * current_.steps_per_second())};
   row.last_work = judged.work;
   row.dominated = is_dominated(walk, judged) ? row.dominated + 1 : 0;
   row.stale = improve(row.best, run.errors) ? 0 : row.stale + 1;
@@ -106,7 +107,7 @@ double GridWalk::predicted_work(const GridPoint& point) const {
   StepReport counts;
   counts.link_solves = static_cast<std::int64_t>(truth_.horizon() * point.steps_per_second()) * rounds *
                        static_cast<std::int64_t>(model_.links.size());
-  return predicted_seconds(model_, counts);
+  return predicted_seconds(model_, counts, 0.0);
 }
 
 // Whether a point of the curve that costs no more has at most half of every error, as far as it can be told.

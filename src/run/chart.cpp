@@ -29,7 +29,7 @@ double longest_run(const Scene& scene, const Truth& truth, double budget) {
   StepReport counts;
   counts.link_solves = static_cast<std::int64_t>(coarsest * truth.horizon()) *
                        static_cast<std::int64_t>(scene.model.links.size());
-  return std::max(budget * run_share, std::exp2(doublings) * predicted_seconds(scene.model, counts));
+  return std::max(budget * run_share, std::exp2(doublings) * predicted_seconds(scene.model, counts, 0.0));
 }
 
 class Stopwatch {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -57,6 +58,10 @@ inline constexpr double exact_length_limit = 1e-14;
 
 /// What a certified reference says. Errors are judged down to a hundred times its uncertainty.
 Truth truth_from(const Model& model, const State& start, const Reference& reference);
+
+/// One kind of error of a run against the true states at the same times.
+double error_against(const Model& model, const State& start, ErrorKind kind, std::span<const State> states,
+                     std::span<const State> truth);
 
 /// The errors of a run that was looked at at the truth's times, those kinds that the truth can judge.
 Errors judge(const Model& model, const State& start, const Truth& truth, const std::vector<State>& states);

@@ -13,7 +13,7 @@ namespace taut {
 struct TruthRequest {
   std::optional<double> horizon;  ///< s, at most the scene's duration; absent: that
   bool motion = true;             ///< the whole motion, where it can be certified; else only the end
-  double most_seconds = 15.0;     ///< of one run, where two methods have to agree on the end
+  double most_seconds = 5.0;      ///< of one run, where two methods have to agree on the end
 };
 
 /// What is true of a scene: its certified motion, as far into the horizon as it goes, or, where there is
