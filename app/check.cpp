@@ -13,6 +13,7 @@
 #include "flags.h"
 #include "measure/expectation.h"
 #include "measures_json.h"
+#include "planning.h"
 #include "run/reference_cache.h"
 #include "run/signals.h"
 #include "run/simulation.h"
@@ -90,8 +91,8 @@ Verdict check_scene(const std::string& argument, const CheckFlags& flags, const 
   Verdict verdict;
   verdict.json = {{"scene", argument}, {"ok", true}};
   try {
-    const Scene scene = load(argument, flags.changes.overrides());
-    say_what_was_chosen(scene, flags.quiet);
+    Scene scene = load(argument, flags.changes.overrides());
+    settle_method(scene, {}, flags.changes.method, flags.quiet);
     describe(scene, verdict.json);
     if (flags.resolved) verdict.json["resolved"] = resolved_toml(scene);
     if (flags.explain) {

@@ -10,6 +10,7 @@
 #include "flags.h"
 #include "output/atomic_file.h"
 #include "output/csv.h"
+#include "planning.h"
 #include "run/frame_selection.h"
 #include "run/signals.h"
 #include "run/simulation.h"
@@ -21,7 +22,7 @@ namespace {
 
 struct ExportFlags {
   SceneFlags scene;
-  std::string format = "csv", table = "masses", times, rate = "30", file;
+  std::string format = "csv", table = "masses", times, rate = "30", file, accuracy;
   bool quiet = false;
 };
 
@@ -76,9 +77,9 @@ int export_motion(const ExportFlags& flags) {
   const bool links = flags.table == "links";
   if (!links && flags.table != "masses")
     throw BadRequest(fmt::format("--table is masses or links, not \"{}\"", flags.table));
-  const Scene scene = load(flags.scene.scene, flags.scene.overrides());
+  Scene scene = load(flags.scene.scene, flags.scene.overrides());
   const std::vector<Instant> wanted = instants(flags, scene);
-  say_what_was_chosen(scene, flags.quiet);
+  const std::optional<Plan> plan = settle_method(scene, flags.accuracy, flags.scene.method, flags.quiet);
 
   const InterruptWatch interrupts;
   Simulation simulation(scene);
@@ -92,6 +93,7 @@ int export_motion(const ExportFlags& flags) {
                      : mass_table_rows(scene.model, reported, instant.frame));
   }
   sink.finish();
+  if (plan && !flags.quiet) print_accuracy(*plan);
   return exit_done;
 }
 
@@ -107,6 +109,7 @@ void add_export(CLI::App& program, Action& action) {
                    "These instants, exactly, such as 0.5,1.0; else those of all frames");
   verb->add_option("--fps", flags->rate, "Frames per second")->capture_default_str();
   verb->add_option("-o,--output", flags->file, "The file; replaced when it exists [stdout]");
+  add_accuracy(*verb, flags->accuracy);
   verb->add_flag("--quiet", flags->quiet, "No messages but errors");
   verb->footer("Example:\n  taut export pendulum --format csv --times 0.5,1.0 --table links -o links.csv");
   verb->callback([flags, &action] { action = [flags] { return export_motion(*flags); }; });

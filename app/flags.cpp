@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <array>
-#include <cstdio>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -101,12 +100,6 @@ void PictureFlags::apply_to(Scene& scene) const {
     return;
   }
   not_one_of("--color", colour, names);
-}
-
-void say_what_was_chosen(const Scene& scene, bool quiet) {
-  if (scene.solve_given || quiet) return;
-  fmt::print(stderr, "taut: {} leaves the method open; {} at {} steps/s is used\n", scene.name,
-             scene.settings.method, scene.settings.steps_per_second());
 }
 
 }  // namespace taut

@@ -38,7 +38,4 @@ struct PictureFlags {
   void apply_to(Scene& scene) const;
 };
 
-/// Says on stderr what a scene leaves open and was chosen for it.
-void say_what_was_chosen(const Scene& scene, bool quiet);
-
 }  // namespace taut

@@ -42,6 +42,7 @@ int run(int argument_count, char** arguments) {
   add_still(program, action);
   add_strip(program, action);
   add_check(program, action);
+  add_chart(program, action);
   add_export(program, action);
   add_sag(program, action);
   add_stability(program, action);

@@ -8,6 +8,7 @@
 #include "exit_status.h"
 #include "flags.h"
 #include "measures_json.h"
+#include "planning.h"
 #include "run/frames.h"
 #include "run/signals.h"
 #include "values.h"
@@ -19,7 +20,7 @@ namespace {
 struct RenderFlags {
   SceneFlags scene;
   PictureFlags picture;
-  std::string folder, film, selection, rate = "30";
+  std::string folder, film, selection, rate = "30", accuracy;
   bool no_frames = false, overwrite = false, json = false, quiet = false;
 };
 
@@ -34,7 +35,8 @@ RenderRequest request_from(const RenderFlags& flags, const Scene& scene) {
   return request;
 }
 
-void print_json(const Scene& scene, const RenderRequest& request, const RenderOutcome& outcome) {
+void print_json(const Scene& scene, const RenderRequest& request, const RenderOutcome& outcome,
+                const std::optional<Plan>& plan) {
   nlohmann::ordered_json json{
       {"scene", scene.name},
       {"method", scene.settings.method},
@@ -49,6 +51,7 @@ void print_json(const Scene& scene, const RenderRequest& request, const RenderOu
       {"last_state_hash", outcome.last_state_hash},
       {"stopped", outcome.stopped}};
   if (outcome.measures) json["measures"] = measures_to_json(*outcome.measures, scene.model);
+  if (plan) json["plan"] = plan_to_json(*plan);
   if (request.folder) json["folder"] = request.folder->string();
   if (request.film && !outcome.stopped) json["film"] = request.film->string();
   fmt::print("{}\n", json.dump(2));
@@ -66,15 +69,17 @@ void print_summary(const Scene& scene, const RenderRequest& request, const Rende
 int render(const RenderFlags& flags) {
   Scene scene = load(flags.scene.scene, flags.scene.overrides());
   flags.picture.apply_to(scene);
-  const RenderRequest request = request_from(flags, scene);
-  say_what_was_chosen(scene, flags.quiet);
+  RenderRequest request = request_from(flags, scene);
+  const std::optional<Plan> plan = settle_method(scene, flags.accuracy, flags.scene.method, flags.quiet);
+  if (plan) request.plan = plan->why;
 
   const InterruptWatch interrupts;
   Progress progress(stderr, progress_style(stderr, flags.quiet), "frames");
   const RenderOutcome outcome =
       render_frames(scene, request, progress, [&] { return interrupts.caught() != 0; });
-  if (flags.json) print_json(scene, request, outcome);
+  if (flags.json) print_json(scene, request, outcome, plan);
   if (!flags.quiet) print_summary(scene, request, outcome);
+  if (plan && !flags.quiet) print_accuracy(*plan);
   return outcome.stopped ? exit_signal + interrupts.caught() : exit_done;
 }
 
@@ -89,6 +94,7 @@ void add_render(CLI::App& program, Action& action) {
   verb->add_flag("--no-frames", flags->no_frames, "Only the film, no PNG files");
   verb->add_option("--frames", flags->selection, "Only these frames, such as 1-100:2,150");
   flags->picture.add_to(*verb);
+  add_accuracy(*verb, flags->accuracy);
   verb->add_option("--fps", flags->rate, "Frames per second")->capture_default_str();
   verb->add_flag("--overwrite", flags->overwrite, "Replace frames and a film that are there already");
   verb->add_flag("--json", flags->json, "Print a summary as JSON on stdout");

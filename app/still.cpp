@@ -8,6 +8,7 @@
 
 #include "exit_status.h"
 #include "flags.h"
+#include "planning.h"
 #include "values.h"
 #include "verbs.h"
 
@@ -26,7 +27,7 @@ int still(const StillFlags& flags) {
   flags.picture.apply_to(scene);
   const double time = parse_seconds("--at", flags.at);
   const PictureSettings settings = flags.picture.settings();
-  say_what_was_chosen(scene, flags.quiet);
+  settle_method(scene, {}, flags.scene.method, flags.quiet);
   make_still(scene, time, settings, flags.file);
   if (flags.json)
     fmt::print("{}\n",

@@ -6,6 +6,7 @@
 
 #include "exit_status.h"
 #include "flags.h"
+#include "planning.h"
 #include "run/still.h"
 #include "values.h"
 #include "verbs.h"
@@ -27,7 +28,7 @@ int strip(const StripFlags& flags) {
   flags.picture.apply_to(scene);
   const std::vector<double> times = strip_times(scene, parse_number("--count", flags.count));
   const PictureSettings settings = flags.picture.settings(usual_panel);
-  say_what_was_chosen(scene, flags.quiet);
+  settle_method(scene, {}, flags.scene.method, flags.quiet);
   make_strip(scene, times, settings, flags.file);
   if (flags.json)
     fmt::print("{}\n",

@@ -14,6 +14,7 @@ void add_render(CLI::App& program, Action& action);
 void add_still(CLI::App& program, Action& action);
 void add_strip(CLI::App& program, Action& action);
 void add_check(CLI::App& program, Action& action);
+void add_chart(CLI::App& program, Action& action);
 void add_export(CLI::App& program, Action& action);
 void add_sag(CLI::App& program, Action& action);
 void add_stability(CLI::App& program, Action& action);

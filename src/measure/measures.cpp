@@ -50,6 +50,17 @@ double energy_scale(const Model& model, const State& start) {
   return at_start.kinetic + at_start.elastic + mass * model.gravity.norm() * total_link_length(model);
 }
 
+double scene_size(const Model& model, const State& start) {
+  if (start.position.size() == 0) return 0.0;
+  Vec3 low = start.position.at(0), high = low;
+  for (std::size_t i = 1; i < start.position.size(); ++i) {
+    low = low.cwiseMin(start.position.at(i));
+    high = high.cwiseMax(start.position.at(i));
+  }
+  const double diagonal = (high - low).norm();
+  return diagonal > 0.0 ? diagonal : total_link_length(model);
+}
+
 Vec3 linear_momentum(const Model& model, const State& state) {
   Vec3 sum = Vec3::Zero();
   for (std::size_t i = 0; i < model.masses.size(); ++i)

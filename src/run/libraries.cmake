@@ -5,3 +5,23 @@ target_compile_definitions(
 target_link_options(taut_run INTERFACE -Wl,--build-id)
 find_package(nlohmann_json 3.11 REQUIRED)
 target_link_libraries(taut_run PRIVATE nlohmann_json::nlohmann_json)
+
+# The commit stands beside what was measured; looked up again when the repository moves.
+find_package(Git QUIET)
+set(commit unknown)
+if(GIT_FOUND)
+  execute_process(COMMAND ${GIT_EXECUTABLE} -C ${PROJECT_SOURCE_DIR} rev-parse --short=12 HEAD
+                  OUTPUT_VARIABLE found_commit OUTPUT_STRIP_TRAILING_WHITESPACE RESULT_VARIABLE no_commit ERROR_QUIET)
+  execute_process(COMMAND ${GIT_EXECUTABLE} -C ${PROJECT_SOURCE_DIR} rev-parse --path-format=absolute --git-path logs/HEAD
+                  OUTPUT_VARIABLE head_log OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+  if(NOT no_commit)
+    set(commit ${found_commit})
+    if(EXISTS "${head_log}")
+      set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${head_log})
+    endif()
+  endif()
+endif()
+string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
+string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}} -ffp-contract=off" flags)
+set_source_files_properties(${CMAKE_CURRENT_SOURCE_DIR}/run/machine.cpp
+                            PROPERTIES COMPILE_DEFINITIONS "TAUT_COMMIT=\"${commit}\";TAUT_FLAGS=\"${flags}\"")

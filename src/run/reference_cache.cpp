@@ -16,16 +16,9 @@ namespace {
 
 using Json = nlohmann::json;
 
-// The physics of the scene alone: what it is solved with and how it is looked at make no difference to the
-// truth.
 std::string key_of(const Scene& scene, const std::vector<double>& times, double accuracy) {
-  Scene physics;
-  physics.title = scene.title;
-  physics.duration = scene.duration;
-  physics.settings = complete_settings({"rattle", {}});
-  physics.description = scene.description;
   Hash hash;
-  hash.add(resolved_toml(physics)).add(build_info()).add(std::span<const double>(times));
+  hash.add(physics_toml(scene)).add(build_info()).add(std::span<const double>(times));
   return hash.add(std::span(&accuracy, 1)).hex();
 }
 
@@ -84,6 +77,15 @@ std::optional<Reference> read(const std::filesystem::path& file, const State& st
 }
 
 }  // namespace
+
+std::string physics_toml(const Scene& scene) {
+  Scene physics;
+  physics.title = scene.title;
+  physics.duration = scene.duration;
+  physics.settings = complete_settings({"rattle", {}});
+  physics.description = scene.description;
+  return resolved_toml(physics);
+}
 
 std::filesystem::path reference_folder() {
   if (const char* folder = std::getenv("TAUT_CACHE"); folder != nullptr && *folder != '\0') return folder;

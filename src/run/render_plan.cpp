@@ -26,8 +26,9 @@ Manifest wanted_manifest(const Scene& scene, const RenderRequest& request) {
   manifest.size = request.picture.render.size;
   manifest.frames_per_second = request.frames_per_second;
   manifest.picture = settings_text(request.picture);
+  manifest.plan = request.plan;
   manifest.build = build_info();
-  // Everything else in the manifest is a part of one of these.
+  // Everything else in the manifest is a part of one of these, or follows from them.
   Hash hash;
   for (const std::string& part : {manifest.scene_toml, manifest.picture, manifest.build,
                                   fmt::format("{} frames/s", manifest.frames_per_second)})

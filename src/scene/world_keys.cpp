@@ -60,7 +60,7 @@ Keys<World> world_keys() {
                   .help = "force −drag · mass · velocity, which lets a scene come to rest"}),
       key<World>(
           "accuracy", &World::accuracy,
-          {.unit = "of the total link length", .range = {}, .help = "wanted, where [solve] is left out"}),
+          {.unit = "of the scene's size", .range = {}, .help = "wanted, where [solve] is left out"}),
   };
 }
 

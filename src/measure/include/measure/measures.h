@@ -28,6 +28,10 @@ Energy energy(const Model& model, const State& state);
 /// link length.
 double energy_scale(const Model& model, const State& start);
 
+/// The size that errors of place are measured in (m): the diagonal of the box around all masses at the start;
+/// the total link length where that is nothing.
+double scene_size(const Model& model, const State& start);
+
 /// Linear momentum of the free masses (kg m/s).
 Vec3 linear_momentum(const Model& model, const State& state);
 

@@ -20,6 +20,7 @@ struct RenderRequest {
   double frames_per_second = 30.0;
   PictureSettings picture;
   bool overwrite = false;
+  std::string plan;  ///< why the scene is run as it is, for the manifest; may be empty
 };
 
 /// What came of it.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "measure/reference.h"
@@ -10,6 +11,10 @@ namespace taut {
 
 /// The folder for references: TAUT_CACHE, or taut in XDG_CACHE_HOME, or in ~/.cache.
 std::filesystem::path reference_folder();
+
+/// The physics of a scene alone, as TOML: what it is solved with and how it is looked at make no difference
+/// to the truth.
+std::string physics_toml(const Scene& scene);
 
 /// make_reference() for a scene, kept in a file whose name covers the scene's physics, the times, the
 /// accuracy and the build; a second call with the same reads that file. A folder that can't be written only

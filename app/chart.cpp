@@ -1,0 +1,169 @@
+#include "run/chart.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/failure.h"
+#include "base/nearest.h"
+#include "exit_status.h"
+#include "flags.h"
+#include "output/atomic_file.h"
+#include "output/gnuplot.h"
+#include "run/chart_files.h"
+#include "run/chart_summary.h"
+#include "run/plan_table.h"
+#include "run/signals.h"
+#include "values.h"
+#include "verbs.h"
+
+namespace taut {
+namespace {
+
+struct ChartFlags {
+  std::vector<std::string> scenes, sets, methods, errors;
+  std::string horizon, budget = "60s", folder = "out/chart";
+  bool all = false, plans = false, overwrite = false, json = false, quiet = false;
+};
+
+// The scenes whose charts stand in the documentation, and how far they are looked at (s; 0: their duration).
+// The curtain's pleats fold as they like once they are drawn: two methods agree on them for as long as they
+// hang open.
+struct Charted {
+  std::string_view scene;
+  double horizon;
+};
+constexpr std::array charted_scenes{Charted{"chain-20", 0.0},      Charted{"pendulum", 0.0},
+                                    Charted{"hanging-chain", 0.0}, Charted{"heavy-tip", 0.0},
+                                    Charted{"curtain", 1.0},       Charted{"breaking-cloth", 0.0}};
+
+ErrorKind parse_error(const std::string& text) {
+  std::vector<std::string_view> names;
+  for (const ErrorKind kind : all_error_kinds) {
+    if (name_of(kind) == text) return kind;
+    names.push_back(name_of(kind));
+  }
+  const std::string_view nearest = nearest_name(text, names);
+  throw BadRequest(fmt::format("--errors is one or more of {}, not \"{}\"{}", fmt::join(names, ","), text,
+                               nearest.empty() ? "" : fmt::format("; did you mean \"{}\"?", nearest)));
+}
+
+double positive(std::string_view flag, const std::string& text) {
+  const double seconds = parse_seconds(flag, text);
+  if (seconds <= 0.0) throw BadRequest(fmt::format("{} must be more than 0 s", flag));
+  return seconds;
+}
+
+ChartRequest request_from(const ChartFlags& flags) {
+  ChartRequest request;
+  request.methods = flags.methods;
+  for (const std::string& error : flags.errors) request.errors.push_back(parse_error(error));
+  if (!flags.horizon.empty()) request.horizon = positive("--horizon", flags.horizon);
+  request.budget = positive("--budget", flags.budget);
+  request.overwrite = flags.overwrite;
+  return request;
+}
+
+// The request for one scene of several.
+ChartRequest request_for(const ChartFlags& flags, const Scene& scene, ChartRequest request) {
+  const auto charted = std::ranges::find(charted_scenes, scene.name, &Charted::scene);
+  if (flags.all && !request.horizon && charted != charted_scenes.end() && charted->horizon > 0.0)
+    request.horizon = charted->horizon;
+  return request;
+}
+
+std::vector<Scene> load_all(const ChartFlags& flags) {
+  std::vector<std::string> names = flags.scenes;
+  if (flags.all)
+    for (const Charted& charted : charted_scenes) names.emplace_back(charted.scene);
+  if (names.empty()) throw BadRequest("chart needs a scene, or --all");
+  std::vector<Scene> scenes;
+  for (const std::string& name : names) {
+    scenes.push_back(load(name, {flags.sets, std::nullopt}));
+    const std::string& scene = scenes.back().name;
+    if (std::ranges::count(scenes, scene, &Scene::name) > 1)
+      throw BadRequest(fmt::format("two scenes named {} would have the same files", scene));
+  }
+  return scenes;
+}
+
+void print_summary(const Chart& chart, const std::string& folder) {
+  const GridWalk::Counts& counts = chart.counts;
+  fmt::print(stderr, "{}: {} of {} cases{}, in {}\n", chart.scene, counts.run, counts.run + counts.open,
+             chart.complete() ? "" : "; running the same again goes on", folder);
+}
+
+int chart(const ChartFlags& flags) {
+  const ChartRequest request = request_from(flags);
+  const std::vector<Scene> scenes = load_all(flags);
+  require_gnuplot();
+  const InterruptWatch interrupts;
+  std::vector<Chart> charts;
+  std::vector<PlanVerdict> verdicts;
+  int status = exit_done;
+  for (const Scene& scene : scenes) {
+    Progress progress(stderr, progress_style(stderr, flags.quiet), "cases");
+    charts.push_back(measure_chart(scene, request_for(flags, scene, request),
+                                   std::filesystem::path(flags.folder) / (scene.name + ".cases.jsonl"),
+                                   progress, [&] { return interrupts.caught() != 0; }));
+    if (!flags.quiet) print_summary(charts.back(), flags.folder);
+    if (interrupts.caught() != 0) return exit_signal + interrupts.caught();
+    write_chart(charts.back(), flags.folder);
+    if (!charts.back().complete()) status = exit_incomplete;
+    if (flags.plans) std::ranges::move(judge_plans(scene, charts.back()), std::back_inserter(verdicts));
+  }
+  write_chart_page(charts, flags.folder);
+  write_file(std::filesystem::path(flags.folder) / "which-method.md", which_method_table(charts));
+  if (flags.plans) write_file(std::filesystem::path(flags.folder) / "plans.md", plan_table(verdicts));
+  if (flags.json) {
+    std::vector<std::string> parts;
+    for (const Chart& done : charts) parts.push_back(chart_json(done));
+    fmt::print("[{}]\n", fmt::join(parts, ","));
+  }
+  return status;
+}
+
+}  // namespace
+
+void add_chart(CLI::App& program, Action& action) {
+  CLI::App* verb =
+      program.add_subcommand("chart", "Speed against accuracy: what each method needs for how little error");
+  const auto flags = std::make_shared<ChartFlags>();
+  verb->add_option("SCENE", flags->scenes, "Scene files, or bare names of `taut list scenes`");
+  verb->add_flag("--all", flags->all, "The scenes whose charts stand in docs/");
+  verb->add_flag("--plans", flags->plans,
+                 "Also plan each scene for 10 %, 1 % and 0.1 % (see `taut render --accuracy`), and judge the "
+                 "plans: plans.md");
+  verb->add_option("--methods", flags->methods, "Only these, such as xpbd,rattle")->delimiter(',');
+  verb->add_option(
+          "--errors", flags->errors,
+          "Out of trajectory,strain,energy,sag [trajectory,strain,energy; sag,strain,energy at the end where "
+          "no motion can be certified]")
+      ->delimiter(',');
+  verb->add_option("--horizon", flags->horizon, "Look at the scene until then, such as 1s [its duration]");
+  verb->add_option("--budget", flags->budget,
+                   "Time to spend on a scene; what is then missing is run the next time")
+      ->capture_default_str();
+  verb->add_option("--set", flags->sets, "Change a key of the scenes: key=value, any number of times")
+      ->allow_extra_args(false);
+  verb->add_option("-o,--output", flags->folder, "Folder for charts, tables and chart.html")
+      ->capture_default_str();
+  verb->add_flag("--overwrite", flags->overwrite, "Replace what was measured there before");
+  verb->add_flag("--json", flags->json, "Print an array of the charts' data as JSON on stdout");
+  verb->add_flag("--quiet", flags->quiet, "No progress and no summary");
+  verb->footer(
+      "Every case is saved as it is done; running the same again goes on where it stopped. Status 3: the "
+      "budget was "
+      "spent before all cases were done.\n\n"
+      "Example:\n  taut chart pendulum hanging-chain --methods xpbd,rattle --budget 30s");
+  verb->callback([flags, &action] { action = [flags] { return chart(*flags); }; });
+}
+
+}  // namespace taut

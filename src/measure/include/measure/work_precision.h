@@ -1,0 +1,105 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "measure/curves.h"
+#include "measure/truth.h"
+#include "methods/advance.h"
+#include "methods/method.h"
+#include "model/model.h"
+#include "model/state.h"
+
+namespace taut {
+
+// Work–precision: how much work each method needs for how much accuracy. (Hairer, Nørsett and Wanner, Solving
+// Ordinary Differential Equations I, section II.10.)
+
+/// One point of the grid over steps and passes.
+struct GridPoint {
+  std::size_t curve = 0;  ///< its place in the list of curves
+  int fineness = 0;       ///< 60 · 2^fineness steps per second
+  int row = 0;            ///< 4^row passes
+
+  double steps_per_second() const;
+  int passes() const;
+};
+
+/// What one run of a point gave.
+struct JudgedRun {
+  bool diverged = false;
+  std::string trouble;  ///< why there are no errors: how it diverged, or why the method refused; empty else
+  Errors errors;
+  StepReport counts;
+};
+
+/// Runs a scene once, without halving steps, and judges it.
+JudgedRun judge_run(const Model& model, const State& start, const Truth& truth, const Settings& settings);
+
+/// A step that can't be solved counts as diverged in charts: halving it would make several steps of one.
+inline constexpr Guard chart_guard{false, 0};
+
+/// Walks the grid of every curve from cheap to dear and leaves out what can't matter:
+/// - rows of passes that stay off their own curve's front (two points in a row where a cheaper point of the
+///   same curve has half the error, of every kind), and rows of more passes that had not begun by then,
+/// - finer steps once errors no longer fall (by a tenth in three halvings) or are smaller than can be judged,
+/// - runs that are predicted to take longer than a limit.
+/// What it does depends on the judged runs alone, never on a clock: started again with the same results it
+/// goes the same way.
+class GridWalk {
+ public:
+  /// Refers to the model from then on. `most_seconds`: of a single run, as predicted_seconds() has it.
+  GridWalk(const Model& model, std::vector<Curve> curves, Truth truth, double most_seconds);
+
+  /// The next point to run; nothing at the end.
+  std::optional<GridPoint> next();
+  /// What came of the point that next() gave last.
+  void record(const JudgedRun& run);
+
+  /// How many points were left out, and why, and how many are neither run nor left out so far.
+  struct Counts {
+    std::size_t run = 0, off_front = 0, no_gain = 0, too_dear = 0, open = 0;
+  };
+  Counts counts() const;
+
+ private:
+  enum class RowEnd { open, off_front, no_gain, too_dear };
+  struct Judged {
+    Errors errors;
+    double work;  // s, predicted
+  };
+  struct Row {
+    RowEnd end = RowEnd::open;
+    int next = 0;                 // fineness of its next point
+    int dominated = 0;            // how many of its last points a cheaper point of the curve beats
+    int stale = 0;                // how many of its last points were hardly better than the best before
+    double last_work = infinity;  // s, of its last point that did not diverge
+    Errors best;
+  };
+  struct CurveWalk {
+    std::vector<Row> rows;
+    std::vector<Judged> judged;
+  };
+
+  double predicted_work(const GridPoint& point) const;
+  bool is_dominated(const CurveWalk& walk, const Judged& judged) const;
+  bool improve(Errors& best, const Errors& errors) const;
+  bool cannot_be_told_from_truth(const Errors& errors) const;
+  void end_rows(CurveWalk& walk, std::size_t row) const;
+
+  const Model& model_;
+  std::vector<Curve> curves_;
+  Truth truth_;
+  double most_seconds_;
+  std::vector<CurveWalk> walks_;
+  int level_ = 0;
+  std::size_t curve_ = 0, row_ = 0;  // where in its level the walk goes on
+  GridPoint current_;
+};
+
+/// The places of those points that no other beats in both cost and error, from cheap to dear.
+std::vector<std::size_t> pareto_front(const std::vector<double>& costs, const std::vector<double>& errors);
+
+}  // namespace taut

@@ -1,0 +1,120 @@
+#include "measure/truth.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "measure/measures.h"
+
+namespace taut {
+namespace {
+
+double rigid_strain(const Model& model, const State& state) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < model.links.size(); ++i)
+    if (model.links.rigid(i) && !state.broken(i))
+      largest =
+          std::max(largest, std::abs(link_distance(model, state.position, i) / model.links.length[i] - 1.0));
+  return largest;
+}
+
+double strain_difference(const Model& model, const State& state, const State& truth) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < model.links.size(); ++i)
+    largest = std::max(
+        largest, std::abs(link_distance(model, state.position, i) - link_distance(model, truth.position, i)) /
+                     model.links.length[i]);
+  return largest;
+}
+
+// A number at a time against what it should be there, the largest difference over all times.
+template <class Number>
+double largest_difference(std::span<const State> states, std::span<const State> truth, const Number& number) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < states.size(); ++i)
+    largest = std::max(largest, std::abs(number(states[i]) - number(truth[i])));
+  return largest;
+}
+
+double strain_error(const Model& model, std::span<const State> states, std::span<const State> truth) {
+  double error = 0.0;
+  for (std::size_t i = 0; i < states.size(); ++i)
+    error = std::max(error, has_rigid_links(model) ? rigid_strain(model, states[i])
+                                                   : strain_difference(model, states[i], truth[i]));
+  return error;
+}
+
+// What an end in three numbers can judge.
+double error_of_end(const Model& model, const State& start, const Truth& truth, ErrorKind kind,
+                    const State& end) {
+  switch (kind) {
+    case ErrorKind::trajectory:
+      return infinity;
+    case ErrorKind::strain:
+      return has_rigid_links(model) ? rigid_strain(model, end)
+                                    : std::abs(link_strain(model, end).largest - truth.strain);
+    case ErrorKind::energy:
+      return std::abs(energy(model, end).total() - truth.energy) / energy_scale(model, start);
+    case ErrorKind::sag:
+      return std::abs(sag(model, end) - truth.sag) / scene_size(model, start);
+  }
+  return infinity;
+}
+
+}  // namespace
+
+bool has_rigid_links(const Model& model) {
+  return std::ranges::any_of(model.links.stiffness, [](double k) { return k == infinity; });
+}
+
+std::string_view name_of(ErrorKind kind) {
+  constexpr std::array<std::string_view, all_error_kinds.size()> names{"trajectory", "strain", "energy",
+                                                                       "sag"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+Truth truth_from(const Model& model, const State& start, const Reference& reference) {
+  Truth truth;
+  for (const State& state : reference.states) truth.times.push_back(state.time);
+  truth.states = reference.states;
+  truth.sag = sag(model, truth.states.back());
+  truth.energy = energy(model, truth.states.back()).total();
+  truth.strain = link_strain(model, truth.states.back()).largest;
+  truth.how = reference.how;
+  const double smallest = 100.0 * reference.uncertainty / scene_size(model, start);
+  truth.smallest[ErrorKind::strain] = has_rigid_links(model) ? exact_length_limit : smallest;
+  for (const ErrorKind kind : {ErrorKind::trajectory, ErrorKind::energy, ErrorKind::sag})
+    truth.smallest[kind] = smallest;
+  return truth;
+}
+
+double error_against(const Model& model, const State& start, ErrorKind kind, std::span<const State> states,
+                     std::span<const State> truth) {
+  switch (kind) {
+    case ErrorKind::trajectory: {
+      double distance = 0.0;
+      for (std::size_t i = 0; i < states.size(); ++i)
+        distance = std::max(distance, position_error(states[i], truth[i]));
+      return distance / scene_size(model, start);
+    }
+    case ErrorKind::strain:
+      return strain_error(model, states, truth);
+    case ErrorKind::energy:
+      return largest_difference(states, truth,
+                                [&](const State& state) { return energy(model, state).total(); }) /
+             energy_scale(model, start);
+    case ErrorKind::sag:
+      return std::abs(sag(model, states.back()) - sag(model, truth.back())) / scene_size(model, start);
+  }
+  return infinity;
+}
+
+Errors judge(const Model& model, const State& start, const Truth& truth, const std::vector<State>& states) {
+  Errors errors;
+  for (const ErrorKind kind : all_error_kinds)
+    if (truth.smallest[kind])
+      errors[kind] = truth.states.empty() ? error_of_end(model, start, truth, kind, states.back())
+                                          : error_against(model, start, kind, states, truth.states);
+  return errors;
+}
+
+}  // namespace taut

@@ -1,0 +1,178 @@
+#include "measure/work_precision.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "base/failure.h"
+#include "measure/cost.h"
+#include "measure/sampled_run.h"
+
+namespace taut {
+namespace {
+
+constexpr int finenesses = 15;  // 60 to 983,040 steps per second
+constexpr int pass_rows = 5;    // 1 to 256 passes
+constexpr int patience = 2;     // points of a row that a cheaper one of its curve beats
+constexpr int hope = 3;         // points of a row that are no better than those before
+
+// Rows that cost the same per level: a row of four times the passes begins two doublings of the step later.
+int fineness_at(int level, std::size_t row) {
+  return level - 2 * static_cast<int>(row);
+}
+
+}  // namespace
+
+double GridPoint::steps_per_second() const {
+  return 60.0 * std::ldexp(1.0, fineness);
+}
+
+int GridPoint::passes() const {
+  return 1 << (2 * row);
+}
+
+JudgedRun judge_run(const Model& model, const State& start, const Truth& truth, const Settings& settings) {
+  JudgedRun judged;
+  try {
+    const SampledRun run = sampled_run(model, start, settings, truth.times, chart_guard);
+    judged.counts = run.report;
+    judged.diverged = run.diverged;
+    if (run.diverged)
+      judged.trouble = fmt::format("diverged at {:.3g} s", run.reached);
+    else
+      judged.errors = judge(model, start, truth, run.states);
+  } catch (const BadRequest& refusal) {
+    judged.diverged = true;
+    judged.trouble = refusal.what();
+  }
+  return judged;
+}
+
+GridWalk::GridWalk(const Model& model, std::vector<Curve> curves, Truth truth, double most_seconds)
+    : model_(model), curves_(std::move(curves)), truth_(std::move(truth)), most_seconds_(most_seconds) {
+  for (const Curve& curve : curves_) walks_.push_back({std::vector<Row>(curve.relaxes ? pass_rows : 1), {}});
+}
+
+std::optional<GridPoint> GridWalk::next() {
+  for (; fineness_at(level_, pass_rows - 1) < finenesses; ++level_, curve_ = 0) {
+    for (; curve_ < walks_.size(); ++curve_, row_ = 0) {
+      for (; row_ < walks_[curve_].rows.size(); ++row_) {
+        Row& row = walks_[curve_].rows[row_];
+        const int fineness = fineness_at(level_, row_);
+        if (row.end != RowEnd::open || fineness < 0 || fineness >= finenesses) continue;
+        current_ = {curve_, fineness, static_cast<int>(row_)};
+        if (predicted_work(current_) <= most_seconds_) {
+          ++row_;
+          return current_;
+        }
+        row.end = RowEnd::too_dear;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+void GridWalk::record(const JudgedRun& run) {
+  CurveWalk& walk = walks_[current_.curve];
+  const auto place = static_cast<std::size_t>(current_.row);
+  Row& row = walk.rows[place];
+  row.next = current_.fineness + 1;
+  if (run.diverged) return;
+  const Judged judged{run.errors,
+                      predicted_seconds(model_, run.counts, truth_.horizon() * current_.steps_per_second())};
+  row.last_work = judged.work;
+  row.dominated = is_dominated(walk, judged) ? row.dominated + 1 : 0;
+  row.stale = improve(row.best, run.errors) ? 0 : row.stale + 1;
+  walk.judged.push_back(judged);
+  if (cannot_be_told_from_truth(run.errors) || row.stale >= hope) row.end = RowEnd::no_gain;
+  if (row.dominated >= patience) end_rows(walk, place);
+}
+
+// More passes a step only lead further away from the front.
+void GridWalk::end_rows(CurveWalk& walk, std::size_t row) const {
+  walk.rows[row].end = RowEnd::off_front;
+  for (std::size_t later = row + 1; later < walk.rows.size(); ++later)
+    if (walk.rows[later].next == 0) walk.rows[later].end = RowEnd::off_front;
+}
+
+// Twice the row's last point, or counted from nothing where there is none: direct solves take about three
+// rounds.
+double GridWalk::predicted_work(const GridPoint& point) const {
+  const Row& row = walks_[point.curve].rows[static_cast<std::size_t>(point.row)];
+  if (row.last_work < infinity) return 2.0 * row.last_work;
+  constexpr std::int64_t rounds_of_direct_solves = 3;
+  const std::int64_t rounds = curves_[point.curve].relaxes ? point.passes() : rounds_of_direct_solves;
+  StepReport counts;
+  counts.link_solves = static_cast<std::int64_t>(truth_.horizon() * point.steps_per_second()) * rounds *
+                       static_cast<std::int64_t>(model_.links.size());
+  return predicted_seconds(model_, counts, 0.0);
+}
+
+// Whether a point of the curve that costs no more has at most half of every error, as far as it can be told.
+bool GridWalk::is_dominated(const CurveWalk& walk, const Judged& judged) const {
+  return std::ranges::any_of(walk.judged, [&](const Judged& other) {
+    if (other.work > judged.work) return false;
+    return std::ranges::all_of(all_error_kinds, [&](ErrorKind kind) {
+      if (!judged.errors[kind]) return true;
+      return *other.errors[kind] <= std::max(0.5 * *judged.errors[kind], *truth_.smallest[kind]);
+    });
+  });
+}
+
+// Takes over what is smaller. True when some error fell by a tenth, from a size that can be judged.
+bool GridWalk::improve(Errors& best, const Errors& errors) const {
+  bool improved = false;
+  for (const ErrorKind kind : all_error_kinds) {
+    if (!errors[kind]) continue;
+    const double before = best[kind].value_or(infinity);
+    improved = improved || (*errors[kind] < 0.9 * before && before > *truth_.smallest[kind]);
+    best[kind] = std::min(before, *errors[kind]);
+  }
+  return improved;
+}
+
+bool GridWalk::cannot_be_told_from_truth(const Errors& errors) const {
+  return std::ranges::all_of(all_error_kinds, [&](ErrorKind kind) {
+    return !errors[kind] || *errors[kind] <= *truth_.smallest[kind];
+  });
+}
+
+GridWalk::Counts GridWalk::counts() const {
+  Counts counts;
+  for (const CurveWalk& walk : walks_)
+    for (const Row& row : walk.rows) {
+      counts.run += static_cast<std::size_t>(row.next);
+      const auto left = static_cast<std::size_t>(finenesses - row.next);
+      switch (row.end) {
+        case RowEnd::open:
+          counts.open += left;
+          break;
+        case RowEnd::off_front:
+          counts.off_front += left;
+          break;
+        case RowEnd::no_gain:
+          counts.no_gain += left;
+          break;
+        case RowEnd::too_dear:
+          counts.too_dear += left;
+          break;
+      }
+    }
+  return counts;
+}
+
+std::vector<std::size_t> pareto_front(const std::vector<double>& costs, const std::vector<double>& errors) {
+  std::vector<std::size_t> places(costs.size());
+  std::iota(places.begin(), places.end(), std::size_t{0});
+  std::ranges::sort(places, [&](std::size_t a, std::size_t b) {
+    return std::pair(costs[a], errors[a]) < std::pair(costs[b], errors[b]);
+  });
+  std::vector<std::size_t> front;
+  for (const std::size_t place : places)
+    if (front.empty() || errors[place] < errors[front.back()]) front.push_back(place);
+  return front;
+}
+
+}  // namespace taut
