@@ -71,12 +71,43 @@ class Sink {
   std::optional<PendingFile> pending_;
 };
 
+enum class Table { masses, links, orientations };
+
+Table parse_table(const std::string& text) {
+  if (text == "masses") return Table::masses;
+  if (text == "links") return Table::links;
+  if (text == "orientations") return Table::orientations;
+  throw BadRequest(fmt::format("--table is masses, links or orientations, not \"{}\"", text));
+}
+
+std::string header(Table table) {
+  switch (table) {
+    case Table::masses:
+      return mass_table_header();
+    case Table::links:
+      return link_table_header();
+    case Table::orientations:
+      return orientation_table_header();
+  }
+  return {};
+}
+
+std::string rows(Table table, const Scene& scene, const State& state, int frame) {
+  switch (table) {
+    case Table::masses:
+      return mass_table_rows(scene.model, state, frame);
+    case Table::links:
+      return link_table_rows(scene.model, state, frame);
+    case Table::orientations:
+      return orientation_table_rows(scene.model, scene.start, state, frame);
+  }
+  return {};
+}
+
 int export_motion(const ExportFlags& flags) {
   if (flags.format != "csv")
     throw BadRequest(fmt::format("--format knows only csv, not \"{}\"", flags.format));
-  const bool links = flags.table == "links";
-  if (!links && flags.table != "masses")
-    throw BadRequest(fmt::format("--table is masses or links, not \"{}\"", flags.table));
+  const Table table = parse_table(flags.table);
   Scene scene = load(flags.scene.scene, flags.scene.overrides());
   const std::vector<Instant> wanted = instants(flags, scene);
   const std::optional<Plan> plan = settle_method(scene, flags.accuracy, flags.scene.method, flags.quiet);
@@ -84,13 +115,11 @@ int export_motion(const ExportFlags& flags) {
   const InterruptWatch interrupts;
   Simulation simulation(scene);
   Sink sink(flags.file);
-  sink.write(links ? link_table_header() : mass_table_header());
+  sink.write(header(table));
   for (const Instant& instant : wanted) {
     const std::optional<State> state = simulation.at(instant.time, [&] { return interrupts.caught() != 0; });
     if (!state) return exit_signal + interrupts.caught();
-    const State reported = simulation.reported(*state);
-    sink.write(links ? link_table_rows(scene.model, reported, instant.frame)
-                     : mass_table_rows(scene.model, reported, instant.frame));
+    sink.write(rows(table, scene, simulation.reported(*state), instant.frame));
   }
   sink.finish();
   if (plan && !flags.quiet) print_accuracy(*plan);
@@ -104,7 +133,7 @@ void add_export(CLI::App& program, Action& action) {
   const auto flags = std::make_shared<ExportFlags>();
   flags->scene.add_to(*verb);
   verb->add_option("--format", flags->format, "csv")->capture_default_str();
-  verb->add_option("--table", flags->table, "masses or links")->capture_default_str();
+  verb->add_option("--table", flags->table, "masses, links or orientations")->capture_default_str();
   verb->add_option("--times", flags->times,
                    "These instants, exactly, such as 0.5,1.0; else those of all frames");
   verb->add_option("--fps", flags->rate, "Frames per second")->capture_default_str();

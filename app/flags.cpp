@@ -16,11 +16,12 @@
 namespace taut {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, ColourBy>, 4> colourings{{
+constexpr std::array<std::pair<std::string_view, ColourBy>, 5> colourings{{
     {"plain", ColourBy::plain},
     {"strain", ColourBy::strain},
     {"tension", ColourBy::tension},
     {"speed", ColourBy::speed},
+    {"limit", ColourBy::limit},
 }};
 
 [[noreturn]] void not_one_of(std::string_view flag, std::string_view given,

@@ -45,6 +45,8 @@ Json measures_to_json(const RunMeasures& measures, const Model& model) {
           {"angular_momentum", vector_to_json(measures.angular_momentum)},
           {"sag", measures.sag},
           {"fastest_speed", measures.fastest_speed},
+          {"limit_excess", measures.limit_excess},
+          {"penetration", measures.penetration},
           {"broken_links", measures.broken_links},
           {"rounds", measures.counts.rounds},
           {"link_solves", measures.counts.link_solves},

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace taut {
 namespace {
@@ -45,6 +46,11 @@ std::vector<Finding> check_expectation(const Expectation& expectation, const Mod
   if (expectation.at_rest)
     findings.push_back(at_most("at_rest", measures.fastest_speed, *expectation.at_rest, " m/s"));
   if (expectation.inside) findings.push_back(all_inside(*expectation.inside, model, end));
+  if (expectation.limit_excess)
+    findings.push_back(at_most("limit_excess", measures.limit_excess * 180.0 / std::numbers::pi,
+                               *expectation.limit_excess, "°"));
+  if (expectation.penetration)
+    findings.push_back(at_most("penetration", measures.penetration, *expectation.penetration, " m"));
   return findings;
 }
 

@@ -105,6 +105,28 @@ double fastest_speed(const State& state) {
   return fastest;
 }
 
+double largest_limit_excess(const Model& model, const State& state) {
+  double largest = 0.0;
+  for (const Limit& limit : model.limits)
+    largest = std::max(largest, overshoot(limit, limit_angle(limit, state.position)).size);
+  return largest;
+}
+
+double deepest_penetration(const Model& model, const State& state) {
+  double deepest = 0.0;
+  for (const ContactPoint& point : model.contacts) {
+    Vec3 place = Vec3::Zero();
+    for (std::size_t k = 0; k < point.masses.size(); ++k)
+      place += point.weights[k] * state.position.at(point.masses[k]);
+    for (const Collider& collider : model.colliders)
+      deepest = std::max(deepest, point.radius - nearest_surface(collider.shape, place).distance);
+  }
+  if (model.plane)
+    for (std::size_t i = 0; i < model.masses.size(); ++i)
+      deepest = std::max(deepest, (model.plane->point - state.position.at(i)).dot(model.plane->normal));
+  return deepest;
+}
+
 std::size_t broken_links(const State& state) {
   return static_cast<std::size_t>(std::count_if(state.broken_at.begin(), state.broken_at.end(),
                                                 [](double at) { return at != infinity; }));

@@ -102,8 +102,10 @@ Reference refused(std::string reason) {
 
 Reference make_reference(const Model& model, const State& start, const std::vector<double>& times,
                          double accuracy) {
-  if (model.plane)
-    return refused("masses that meet the ground have events that the reference does not resolve");
+  if (model.plane || !model.contacts.empty() || !model.limits.empty())
+    return refused(
+        "masses that meet the ground, solids or limits have events that the reference does not resolve");
+  if (model.wind) return refused("the reference knows no wind");
   if (!model.breakable_links.empty())
     return refused("links that break have events that the reference does not resolve");
   // The second opinion comes first: where it does not even agree with itself, halving steps would be in vain.

@@ -31,6 +31,8 @@ RunMeasures measure_run(const Model& model, const State& start, const State& end
   measures.angular_momentum = angular_momentum(model, end);
   measures.sag = sag(model, end);
   measures.fastest_speed = fastest_speed(end);
+  measures.limit_excess = largest_limit_excess(model, end);
+  measures.penetration = deepest_penetration(model, end);
   measures.broken_links = broken_links(end);
   measures.counts = counts;
   return measures;

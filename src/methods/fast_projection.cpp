@@ -10,6 +10,8 @@
 // tension is λ/h². An impulse keeps the direction of the round that found it, so the sum is not quite along
 // the final directions: a difference of second order in the step, below the method's own error, and what lets
 // it answer large moves.
+//
+// Limits on angles that push border the system (see ActiveLimits).
 
 #include "fast_projection.h"
 
@@ -24,7 +26,7 @@
 namespace taut {
 
 FastProjection::FastProjection(const Model& model, LinkSystem system)
-    : model_(model), system_(std::move(system)) {
+    : model_(model), system_(std::move(system)), limits_(model) {
   for (const Index link : system_.links.link) {
     damping_.push_back(model_.links.damping[link]);
     inverse_length_.push_back(1.0 / model_.links.length[link]);
@@ -44,10 +46,12 @@ bool FastProjection::solve(const Vectors& start, double h, Vectors& position, st
   const double tolerance = length_tolerance(links, position);
   const double answer = 1.0 / (1.0 + h * model_.drag);
   prepare(start, h, answer);
+  limits_.begin_step(h);
   for (int round = 0; round < most_newton_rounds; ++round) {
     const double worst = measure_residual(position, h, report);
     if (report.status != StepStatus::done) return false;
-    if (worst <= tolerance) {
+    const double beyond = limits_.look(position);
+    if (worst <= tolerance && beyond <= limit_tolerance) {
       for (std::size_t i = 0; i < multipliers_.size(); ++i)
         tension[links.link[i]] = multipliers_[i] / (h * h);
       return true;
@@ -59,7 +63,10 @@ bool FastProjection::solve(const Vectors& start, double h, Vectors& position, st
       return false;
     }
     for (std::size_t i = 0; i < residual_.size(); ++i) residual_[i] *= scale_[i];
-    system_.matrix->solve(residual_);
+    if (limits_.none())
+      system_.matrix->solve(residual_);
+    else
+      limits_.push(system_, direction_, direction_, answer, residual_, position);
     for (std::size_t i = 0; i < residual_.size(); ++i) {
       multipliers_[i] += residual_[i];
       residual_[i] *= -answer;

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "active_limits.h"
 #include "link_system.h"
 #include "methods/method.h"
 
@@ -36,6 +37,7 @@ class FastProjection {
 
   const Model& model_;
   LinkSystem system_;
+  ActiveLimits limits_;
   bool compliant_ = false;              // whether any link is
   std::vector<double> damping_;         // N s/m
   std::vector<double> inverse_length_;  // 1/m

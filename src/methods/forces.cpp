@@ -1,5 +1,8 @@
 #include "forces.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace taut {
 namespace {
 
@@ -35,6 +38,31 @@ void kick(const Model& model, double load_time, double h, const Vectors& velocit
     const Vec3 impulse = load.force * (load.share(load_time) * h * answer);
     if (impulse.isZero(0.0)) continue;
     for (const Index mass : load.masses) kicked.add(mass, impulse * inverse_mass[mass]);
+  }
+}
+
+void blow(const Wind& wind, const Model& model, const State& state, double time, double h,
+          Vectors& velocity) {
+  const Vec3 air = wind_at(wind, time);
+  const std::vector<double>& inverse_mass = model.masses.inverse_mass;
+  for (const Triangle& triangle : model.triangles) {
+    const auto& [a, b, c] = triangle.masses;
+    if (std::any_of(triangle.links.begin(), triangle.links.end(),
+                    [&state](Index link) { return link != no_link && state.broken(link); }))
+      continue;
+    const Vec3 across =
+        0.5 *
+        (state.position.at(b) - state.position.at(a)).cross(state.position.at(c) - state.position.at(a));
+    const double area = across.norm();
+    if (area == 0.0) continue;
+    const Vec3 normal = across / area;
+    const Vec3 moving = (state.velocity.at(a) + state.velocity.at(b) + state.velocity.at(c)) / 3.0;
+    const double wind_speed = (air - moving).dot(normal);
+    // Impulse on each mass per metre a second, and how much of the difference in speed it would take away.
+    const double push = wind.density * wind.drag_coefficient * area * std::abs(wind_speed) * h / 6.0;
+    const double taken = push * (inverse_mass[a] + inverse_mass[b] + inverse_mass[c]) / 3.0;
+    const Vec3 impulse = (push / (1.0 + taken) * wind_speed) * normal;
+    for (const Index mass : triangle.masses) velocity.add(mass, inverse_mass[mass] * impulse);
   }
 }
 

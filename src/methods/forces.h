@@ -15,6 +15,11 @@ enum class DragAt { end, start };
 void kick(const Model& model, double load_time, double h, const Vectors& velocity, Vectors& kicked,
           DragAt drag_at = DragAt::end);
 
+/// Lets the wind blow on the sheets' whole triangles for h seconds: each, of area A and unit normal n, is
+/// pushed by F = ρ C A |u·n| (u·n) n/2, u being the air's velocity relative to it, whichever side faces it.
+/// Its three masses share F; the push never overtakes the air.
+void blow(const Wind& wind, const Model& model, const State& state, double time, double h, Vectors& velocity);
+
 /// moved = position + h·velocity, in every mass.
 void drift(double h, const Vectors& position, const Vectors& velocity, Vectors& moved);
 

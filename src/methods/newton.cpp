@@ -8,7 +8,7 @@
 // First order in time and losing energy as h, but at home with any stiffness and any ratio of masses. In a
 // chain or a tree every pull follows from the masses beyond it, and Newton's method on the multipliers alone,
 // one O(n) elimination a round, takes the longest steps. In a net pulls depend on each other, and only a true
-// balance of forces at the end of the step comes to rest.
+// balance of forces at the end of the step comes to rest. With limits on angles a net is projected, too.
 
 #include <array>
 #include <optional>
@@ -35,7 +35,7 @@ class NewtonStepper final : public Stepper {
       if (!state.broken(link)) whole.push_back(link);
     projection_.reset();
     net_.reset();
-    if (path_order(model_, whole) || tree_order(model_, whole))
+    if (!model_.limits.empty() || path_order(model_, whole) || tree_order(model_, whole))
       projection_.emplace(model_, make_link_system(model_, whole));
     else
       net_.emplace(model_, whole, nominal_step_);
@@ -67,7 +67,7 @@ class NewtonStepper final : public Stepper {
   const Model& model_;
   double nominal_step_;  // s
   EnergyWatch watch_;
-  std::optional<FastProjection> projection_;  // for chains and trees …
+  std::optional<FastProjection> projection_;  // for chains, trees, and whatever has limits …
   std::optional<ImplicitNet> net_;            // … or this one for nets
   Vectors position_, velocity_;
   std::vector<double> tension_;
@@ -84,6 +84,7 @@ std::unique_ptr<Stepper> make(const Model& model, const Settings& settings) {
 Method newton_method() {
   Capabilities can;
   can.stiffness = true;
+  can.limits = true;
   can.break_stretch = true;
   can.break_tension = true;
   return {"newton",

@@ -16,12 +16,16 @@
 // energy. Its price is a limit: light links of mass m under tension T vibrate sideways at up to 2√(T/(m l)),
 // so h must stay below about √(m l/T). A step beyond it does not converge, turns a link by 90° or makes
 // energy, and is reported as such.
+//
+// Limits on angles that push border both systems (see ActiveLimits): in positions along their gradients at
+// the start of the step, in velocities along those at its end. Stops are plastic.
 
 #include <fmt/format.h>
 
 #include <array>
 #include <cmath>
 
+#include "active_limits.h"
 #include "base/failure.h"
 #include "forces.h"
 #include "link_system.h"
@@ -38,7 +42,7 @@ constexpr int most_rounds = 40;
 class RattleStepper final : public Stepper {
  public:
   RattleStepper(const Model& model, int order, double steps_per_second)
-      : model_(model), order_(order), longest_step_(1.0 / steps_per_second), watch_(model) {}
+      : model_(model), order_(order), longest_step_(1.0 / steps_per_second), limits_(model), watch_(model) {}
 
   void links_changed(const State& state) override {
     std::vector<Index> rigid;
@@ -99,6 +103,7 @@ class RattleStepper final : public Stepper {
     kick_by_springs(springs_, half, position_, velocity_, half_velocity_, spring_tension_);
     drift(h, start_position_, half_velocity_, position_);
     place_pins(model_, end_time, position_, half_velocity_);
+    limits_.begin_step(h);
     if (!solve_positions(report)) return;
 
     difference_quotient(h, start_position_, position_, velocity_);
@@ -127,12 +132,16 @@ class RattleStepper final : public Stepper {
     for (int round = 0; round < most_rounds; ++round) {
       link_vectors(links, position_, direction_);
       if (!measure_residual(report)) return false;
-      if (worst_ <= tolerance) return true;
+      const double beyond = limits_.look(position_, &start_position_);
+      if (worst_ <= tolerance && beyond <= limit_tolerance) return true;
       if (!factor_for_positions(report)) {
         report.status = StepStatus::factorisation_failed;
         return false;
       }
-      system_.matrix->solve(residual_);
+      if (limits_.none())
+        system_.matrix->solve(residual_);
+      else
+        limits_.push(system_, direction_, start_direction_, 1.0, residual_, position_);
       report.rounds += 1;
       report.link_solves += static_cast<std::int64_t>(links.size());
       for (double& value : residual_) value = -value;
@@ -202,7 +211,10 @@ class RattleStepper final : public Stepper {
     }
     for (std::size_t i = 0; i < links.size(); ++i)
       residual_[i] = direction_.at(i).dot(velocity_.at(links.a[i]) - velocity_.at(links.b[i]));
-    system_.matrix->solve(residual_);
+    if (limits_.none())
+      system_.matrix->solve(residual_);
+    else
+      limits_.stop(system_, direction_, position_, residual_, velocity_);
     report.link_solves += static_cast<std::int64_t>(links.size());
     for (std::size_t i = 0; i < links.size(); ++i) {
       tension_[links.link[i]] = residual_[i] * links.length[i] * (1.0 + half * model_.drag) / half;
@@ -214,6 +226,7 @@ class RattleStepper final : public Stepper {
   const Model& model_;
   int order_;
   double longest_step_;  // s
+  ActiveLimits limits_;
   EnergyWatch watch_;
   LinkSystem system_;
   Springs springs_;
@@ -236,10 +249,10 @@ std::unique_ptr<Stepper> make(const Model& model, const Settings& settings) {
   const int order = settings.choice("order") == "4" ? 4 : 2;
   bool damped = model.drag > 0.0 || !model.breakable_links.empty();
   for (const double damping : model.links.damping) damped = damped || damping > 0.0;
-  if (order == 4 && damped)
+  if (order == 4 && (damped || !model.limits.empty()))
     throw BadRequest(
-        "method rattle of order 4 has a step that runs backwards in time, which drag, damping and breaking "
-        "links do not: "
+        "method rattle of order 4 has a step that runs backwards in time, which drag, damping, breaking "
+        "links and stops do not: "
         "use order 2 for this scene");
   return std::make_unique<RattleStepper>(model, order, settings.steps_per_second());
 }
@@ -250,6 +263,7 @@ Method rattle_method() {
   Capabilities can;
   can.limit = StepLimit::sideways_vibration;
   can.stiffness = true;
+  can.limits = true;
   can.break_stretch = true;
   can.break_tension = true;
   return {"rattle",

@@ -12,14 +12,18 @@
 // Drag is implicit in all forces, those of the links too: a mass answers them with w/(1 + h·drag) in place of
 // w. α̃ = α/h² with the compliance α = 1/k; γ = α̃ β̃/h = α c/h with the damping c (β̃ = h² c). A rigid link has
 // α = 0, and so no damping. The tension of a link is −λ/h². Links go colour by colour: in file order, one
-// pass a step without damping runs to infinity on a large sheet.
+// pass a step without damping runs to infinity on a large sheet. Limits on angles and contacts with solids
+// follow the links in every pass.
 
 #include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
 
+#include "body_contacts.h"
+#include "contact_solver.h"
 #include "forces.h"
+#include "limit_solver.h"
 #include "link_order.h"
 #include "methods/method.h"
 #include "model/parts.h"
@@ -67,6 +71,9 @@ class XpbdStepper final : public Stepper {
   XpbdStepper(const Model& model, int passes)
       : model_(model),
         passes_(passes),
+        limits_(model),
+        bodies_(model),
+        contacts_(model),
         equal_weight_(common_weight(model)),
         equal_inverse_weight_(0.5 / equal_weight_) {}
 
@@ -111,17 +118,25 @@ class XpbdStepper final : public Stepper {
     start_ = state.position;
     velocity_ = state.velocity;
     kick(model_, end_time, h, state.velocity, velocity_);
+    if (model_.wind) blow(*model_.wind, model_, state, end_time, h, velocity_);
     drift(h, start_, velocity_, state.position);
     place_pins(model_, end_time, state.position, velocity_);
     multipliers_.assign(links_.size(), 0.0);
+    limits_.begin_step();
+    bodies_.begin_step(start_, state.position);
+    contacts_.begin_step(start_, state.velocity, state.position);
     for (int pass = 0; pass < passes_; ++pass) {
       solve_all(state.position, h);
+      limits_.solve(state.position, h, 1.0 / (1.0 + h * model_.drag));
+      bodies_.solve(state.position);
+      contacts_.solve(state.position);
       if (model_.plane) keep_out_of_plane(*model_.plane, model_.masses, start_, state.position);
     }
     StepReport report;
     report.rounds = passes_;
-    report.link_solves = static_cast<std::int64_t>(links_.size()) * passes_;
+    report.link_solves = (static_cast<std::int64_t>(links_.size()) + limits_.size()) * passes_;
     difference_quotient(h, start_, state.position, velocity_);
+    contacts_.rebound(h, velocity_);
     place_pins(model_, end_time, state.position, velocity_);
     std::swap(state.velocity, velocity_);
     state.time = end_time;
@@ -223,6 +238,9 @@ class XpbdStepper final : public Stepper {
 
   const Model& model_;
   int passes_;
+  LimitSolver limits_;
+  BodyContacts bodies_;
+  ContactSolver contacts_;
   double equal_weight_, equal_inverse_weight_;  // w of all free masses, 1/(2 w); −1 where they differ
   std::vector<PlainLink> plain_;                // colour by colour
   std::vector<WeightedLink> weighted_;          // the rest of each colour: at pins, or where masses differ
@@ -254,6 +272,9 @@ Method xpbd_method() {
   Capabilities can;
   can.stiffness = true;
   can.plane = true;
+  can.limits = true;
+  can.colliders = true;
+  can.wind = true;
   can.break_stretch = true;
   can.break_tension = true;
   return {"xpbd",

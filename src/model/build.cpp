@@ -11,17 +11,6 @@
 namespace taut {
 namespace {
 
-using MassesByName = std::unordered_map<std::string_view, Index>;
-
-// The mass that may have been meant, looked for only while the problems are few: in a file of bad names it
-// would take bad names × masses.
-std::string nearest_mass(std::string_view name, const Masses& masses, const std::vector<Problem>& problems) {
-  constexpr std::size_t enough = 50;
-  if (problems.size() >= enough) return {};
-  const std::vector<std::string_view> names(masses.name.begin(), masses.name.end());
-  return std::string(nearest_name(name, names));
-}
-
 // Whether a dotted name fits a pattern of as many parts, where a part * fits any.
 bool fits(std::string_view name, std::string_view pattern) {
   for (;;) {
@@ -38,7 +27,9 @@ bool fits(std::string_view name, std::string_view pattern) {
 
 void add_masses(Builder& builder, const std::vector<MassSpec>& specs) {
   for (const MassSpec& spec : specs) {
-    const Index mass = builder.add_mass(spec.name, spec.position, spec.velocity, spec.mass, spec.pinned);
+    builder.begin_body(spec.collides);
+    const Index mass =
+        builder.add_mass(spec.name, spec.position, spec.velocity, spec.mass, spec.pinned, spec.radius);
     if (spec.pinned) builder.drive(mass, spec.motion);
   }
 }
@@ -90,15 +81,29 @@ void add_loads(Model& model, const std::vector<LoadSpec>& specs, std::vector<Pro
   }
 }
 
+Wind wind_of(const WindSpec& spec) {
+  return {spec.velocity,  spec.gust,
+          spec.gust_time, static_cast<std::uint32_t>(spec.seed),
+          spec.density,   spec.drag_coefficient};
+}
+
 // Whether the masses can be built, so that names can be looked up: what is wrong elsewhere does not stand in
 // the way.
 bool masses_are_sound(const std::vector<Problem>& problems) {
   return std::none_of(problems.begin(), problems.end(), [](const Problem& problem) {
-    return problem.section == "chain" || problem.section == "sheet" || problem.section == "mass";
+    return problem.section == "chain" || problem.section == "sheet" || problem.section == "mass" ||
+           problem.section == "ragdoll";
   });
 }
 
 }  // namespace
+
+std::string nearest_mass(std::string_view name, const Masses& masses, const std::vector<Problem>& problems) {
+  constexpr std::size_t enough = 50;
+  if (problems.size() >= enough) return {};
+  const std::vector<std::string_view> names(masses.name.begin(), masses.name.end());
+  return std::string(nearest_name(name, names));
+}
 
 Built build(const Description& description) {
   Built built;
@@ -110,16 +115,17 @@ Built build(const Description& description) {
   builder.model.drag = description.drag;
   for (const ChainSpec& chain : description.chains) add_chain(builder, chain);
   for (const SheetSpec& sheet : description.sheets) add_sheet(builder, sheet);
+  for (std::size_t i = 0; i < description.ragdolls.size(); ++i)
+    add_ragdoll(builder, description.ragdolls[i], i, built.problems);
   add_masses(builder, description.masses);
-  if (!description.planes.empty()) {
-    const PlaneSpec& plane = description.planes.front();
-    builder.model.plane = Plane{plane.point, plane.normal.normalized(), plane.friction};
-  }
+  add_solids(builder, description);
   MassesByName by_name;
   for (std::size_t i = 0; i < builder.model.masses.size(); ++i)
     by_name.emplace(builder.model.masses.name[i], static_cast<Index>(i));
   add_links(builder, description.links, by_name, built.problems);
   add_loads(builder.model, description.loads, built.problems);
+  add_limits(builder, description, by_name, built.problems);
+  if (description.wind.velocity != Vec3::Zero()) builder.model.wind = wind_of(description.wind);
   built.model = std::move(builder.model);
   built.start = std::move(builder.start);
   return built;

@@ -63,6 +63,7 @@ void add_chain(Builder& builder, const ChainSpec& spec) {
   const auto pinned = [&](std::string_view end) {
     return std::find(spec.pinned.begin(), spec.pinned.end(), end) != spec.pinned.end();
   };
+  builder.begin_body(spec.collides);
   const std::vector<Vec3> points = chain_points(spec, builder.model.gravity);
   const double share = spec.mass / static_cast<double>(points.size());
   const double link_length = (spec.length > 0.0 ? spec.length : (spec.to - spec.from).norm()) / spec.links;
@@ -72,8 +73,8 @@ void add_chain(Builder& builder, const ChainSpec& spec) {
     const bool first = i == 0, last = i + 1 == points.size();
     const double mass = last && spec.last_mass > 0.0 ? spec.last_mass : share;
     const bool pin = (first && pinned("first")) || (last && pinned("last"));
-    const Index index =
-        builder.add_mass(spec.name + "." + std::to_string(i), points[i], Vec3::Zero(), mass, pin);
+    const Index index = builder.add_mass(spec.name + "." + std::to_string(i), points[i], Vec3::Zero(), mass,
+                                         pin, spec.radius);
     if (pin) builder.drive(index, first ? spec.first_motion : spec.last_motion);
     if (!first) builder.add_link(index - 1, index, link_length, spec.properties);
   }

@@ -78,7 +78,7 @@ void add_masses(Builder& builder, const SheetSpec& spec) {
       const Index mass =
           builder.add_mass(spec.name + "." + std::to_string(row) + "." + std::to_string(column),
                            row_start + offsets[static_cast<std::size_t>(column)], Vec3::Zero(), share,
-                           hook || pinned_by_edge(spec, row, column));
+                           hook || pinned_by_edge(spec, row, column), spec.radius);
       if (hook && !spec.hooks.draw.empty()) builder.drive(mass, hook_path(spec, column));
     }
   }
@@ -144,6 +144,7 @@ void add_sheet(Builder& builder, const SheetSpec& spec) {
   sheet.rows = static_cast<Index>(spec.rows);
   sheet.columns = static_cast<Index>(spec.columns);
   sheet.first_triangle = static_cast<Index>(builder.model.triangles.size());
+  builder.begin_body(spec.collides);
   add_masses(builder, spec);
 
   SheetLinks links(builder, spec, sheet.first_mass);

@@ -5,11 +5,13 @@
 namespace taut {
 
 Index Builder::add_mass(std::string name, const Vec3& position, const Vec3& velocity, double mass,
-                        bool pinned) {
+                        bool pinned, double radius) {
   const auto index = static_cast<Index>(model.masses.size());
   model.masses.name.push_back(std::move(name));
   model.masses.mass.push_back(mass);
   model.masses.inverse_mass.push_back(pinned ? 0.0 : 1.0 / mass);
+  model.masses.radius.push_back(radius);
+  body_of_mass.push_back(body_);
   start.position.push_back(position);
   start.velocity.push_back(pinned ? Vec3::Zero() : velocity);
   return index;
@@ -28,6 +30,11 @@ Index Builder::add_link(Index a, Index b, double length, const LinkProperties& p
   start.tension.push_back(0.0);
   start.broken_at.push_back(infinity);
   return index;
+}
+
+void Builder::add_bone(const Bone& bone) {
+  model.bones.push_back(bone);
+  body_of_bone.push_back(body_);
 }
 
 void Builder::drive(Index mass, const MotionSpec& motion) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -11,23 +12,55 @@ namespace taut {
 /// A Model and its start while they grow, mass by mass and link by link.
 class Builder {
  public:
-  /// Adds a mass and returns its index.
-  Index add_mass(std::string name, const Vec3& position, const Vec3& velocity, double mass, bool pinned);
+  /// What is added from now on is a body of its own, which touches other bodies or none.
+  void begin_body(bool collides) { body_ = collides ? bodies_++ : no_body; }
+  /// Adds a mass and returns its index. Its radius is that of contact (m).
+  Index add_mass(std::string name, const Vec3& position, const Vec3& velocity, double mass, bool pinned,
+                 double radius = 0.0);
   /// Adds a link and returns its index.
   Index add_link(Index a, Index b, double length, const LinkProperties& properties);
+  /// Adds a bone, which touches what there is to touch in place of the masses at its ends.
+  void add_bone(const Bone& bone);
   /// Drives a pinned mass, which is put where the motion begins; a spec that names no motion does nothing.
   void drive(Index mass, const MotionSpec& motion);
   void drive(Index mass, Motion motion);
+  /// Whether anything touches other bodies.
+  bool any_body() const { return bodies_ > 0; }
 
   Model model;
   State start;
+  std::vector<Index> body_of_mass, body_of_bone;
+
+ private:
+  Index body_ = no_body, bodies_ = 0;
 };
+
+using MassesByName = std::unordered_map<std::string_view, Index>;
 
 /// Adds all of a valid chain.
 void add_chain(Builder& builder, const ChainSpec& spec);
 
 /// Adds all of a valid sheet.
 void add_sheet(Builder& builder, const SheetSpec& spec);
+
+/// Adds all of a valid ragdoll; reports joints that are outside their ranges at the start.
+void add_ragdoll(Builder& builder, const RagdollSpec& spec, std::size_t index,
+                 std::vector<Problem>& problems);
+
+/// Adds the limits on angles; reports names that no mass has, angles without a direction, and those outside
+/// their range at the start.
+void add_limits(Builder& builder, const Description& description, const MassesByName& by_name,
+                std::vector<Problem>& problems);
+
+/// Adds what masses can hit, and what of them touches it.
+void add_solids(Builder& builder, const Description& description);
+
+/// The rotation by degrees about x, then y, then z.
+Eigen::Matrix3d turned(const Vec3& degrees);
+
+/// The mass that may have been meant, looked for only while the problems are few: in a file of bad names it
+/// would take bad names × masses.
+std::string nearest_mass(std::string_view name, const Masses& masses, const std::vector<Problem>& problems);
 
 /// Masses and links a sheet has, as real numbers so that no count overflows.
 struct Counts {

@@ -4,80 +4,13 @@
 #include <cmath>
 #include <limits>
 #include <string>
-#include <unordered_map>
 
 #include "base/memory.h"
 #include "builder.h"
+#include "checker.h"
 
 namespace taut {
 namespace {
-
-// Collects what is wrong with one entry after another.
-class Checker {
- public:
-  void enter(std::string_view section, std::size_t index) {
-    section_ = section;
-    index_ = index;
-  }
-  void require(bool holds, std::string_view key, std::string message) {
-    if (!holds) problems.push_back({section_, index_, std::string(key), std::move(message), ""});
-  }
-  void positive(double value, std::string_view key, std::string_view unit) {
-    require(std::isfinite(value) && value > 0.0, key,
-            fmt::format("{} must be above 0 {}, not {}", key, unit, value));
-  }
-  void not_negative(double value, std::string_view key, std::string_view unit) {
-    require(std::isfinite(value) && value >= 0.0, key,
-            fmt::format("{} must be 0 {} or more, not {}", key, unit, value));
-  }
-  void finite(const Vec3& value, std::string_view key) {
-    require(value.allFinite(), key, fmt::format("{} must have finite numbers", key));
-  }
-  void name(const std::string& name) {
-    require(!name.empty(), "name", "name must not be empty");
-    require(name.find_first_of(".* ") == std::string::npos, "name",
-            fmt::format("name \"{}\" must not contain a dot, a star or a space", name));
-    const auto [seen, is_new] =
-        names_.try_emplace(name, fmt::format("[[{}]] number {}", section_, index_ + 1));
-    require(is_new, "name", fmt::format("the name \"{}\" is taken by {}", name, seen->second));
-  }
-  void properties(const LinkProperties& properties, std::string_view prefix = "") {
-    const auto key = [&](std::string_view name) { return fmt::format("{}{}", prefix, name); };
-    if (properties.stiffness) positive(*properties.stiffness, key("stiffness"), "N/m");
-    not_negative(properties.damping, key("damping"), "N s/m");
-    require(properties.damping == 0.0 || properties.stiffness.has_value(), key("damping"),
-            "damping needs a stiffness: a rigid link has no speed to damp");
-    if (properties.break_stretch)
-      require(std::isfinite(*properties.break_stretch) && *properties.break_stretch > 1.0,
-              key("break_stretch"),
-              fmt::format("break_stretch must be above 1, not {}", *properties.break_stretch));
-    if (properties.break_tension) positive(*properties.break_tension, key("break_tension"), "N");
-  }
-  void motion(const MotionSpec& motion, bool pinned, std::string_view key) {
-    if (!motion.sinusoid && motion.path.empty()) return;
-    require(pinned, key, fmt::format("{} is only for a pinned mass", key));
-    require(!motion.sinusoid || motion.path.empty(), key,
-            fmt::format("{} has both an amplitude and a path; it can be only one of them", key));
-    if (motion.sinusoid) {
-      finite(motion.sinusoid->amplitude, key);
-      require(std::isfinite(motion.sinusoid->angular_frequency) && std::isfinite(motion.sinusoid->phase), key,
-              fmt::format("{} must have finite numbers", key));
-    }
-    double last = -infinity;
-    for (const Knot& knot : motion.path) {
-      require(std::isfinite(knot.time) && knot.time > last, key, fmt::format("{}: times must increase", key));
-      finite(knot.position, key);
-      last = knot.time;
-    }
-  }
-
-  std::vector<Problem> problems;
-
- private:
-  std::string section_;
-  std::size_t index_ = 0;
-  std::unordered_map<std::string, std::string> names_;
-};
 
 void check_world(Checker& check, const Description& description) {
   check.enter("world", 0);
@@ -104,6 +37,7 @@ void check_chain(Checker& check, const ChainSpec& chain) {
     check.require(end == "first" || end == "last", "pinned",
                   fmt::format("pinned is a list of \"first\" and \"last\", not \"{}\"", end));
   }
+  check.not_negative(chain.radius, "radius", "m");
   check.motion(chain.first_motion, first, "first_motion");
   check.motion(chain.last_motion, last, "last_motion");
   check.properties(chain.properties);
@@ -155,6 +89,7 @@ void check_sheet(Checker& check, const SheetSpec& sheet) {
         fmt::format("pinned names edges (top, bottom, left, right) or corners (top-left …), not \"{}\"",
                     edge));
   }
+  check.not_negative(sheet.radius, "radius", "m");
   check.properties(sheet.properties);
   if (sheet.diagonals) check.properties(*sheet.diagonals, "diagonals.");
   if (sheet.skip_one) check.properties(*sheet.skip_one, "skip_one.");
@@ -165,6 +100,7 @@ void check_mass(Checker& check, const MassSpec& mass) {
   check.finite(mass.position, "position");
   check.finite(mass.velocity, "velocity");
   check.positive(mass.mass, "mass", "kg");
+  check.not_negative(mass.radius, "radius", "m");
   check.motion(mass.motion, mass.pinned, "motion");
 }
 
@@ -178,12 +114,6 @@ void check_load(Checker& check, const LoadSpec& load) {
   check.not_negative(load.from, "from", "s");
   check.require(std::isfinite(load.to) && load.to >= load.from, "to",
                 fmt::format("to = {} s is before from = {} s", load.to, load.from));
-}
-
-void check_plane(Checker& check, const PlaneSpec& plane) {
-  check.finite(plane.point, "point");
-  check.require(plane.normal.allFinite() && plane.normal.norm() > 0.0, "normal", "normal must not be zero");
-  check.not_negative(plane.friction, "friction", "");
 }
 
 // Counts that the machine's memory can't hold, or the indices can't number, are refused before anything is
@@ -209,15 +139,6 @@ void check_memory(Checker& check, const Description& description) {
     add("sheet", i, "rows", count(description.sheets[i]));
 }
 
-template <typename Spec>
-void check_each(Checker& check, std::string_view section, const std::vector<Spec>& specs,
-                void (*check_one)(Checker&, const Spec&)) {
-  for (std::size_t i = 0; i < specs.size(); ++i) {
-    check.enter(section, i);
-    check_one(check, specs[i]);
-  }
-}
-
 }  // namespace
 
 std::vector<Problem> find_problems(const Description& description) {
@@ -228,9 +149,8 @@ std::vector<Problem> find_problems(const Description& description) {
   check_each(check, "mass", description.masses, check_mass);
   check_each(check, "link", description.links, check_link);
   check_each(check, "load", description.loads, check_load);
-  check_each(check, "plane", description.planes, check_plane);
-  check.enter("plane", 1);
-  check.require(description.planes.size() <= 1, "", "there can be only one [[plane]]");
+  check_surroundings(check, description);
+  check_bodies(check, description);
   check_memory(check, description);
   return std::move(check.problems);
 }

@@ -85,6 +85,23 @@ std::string ground_extent(const Model& model) {
   return model.plane ? fmt::format("a plane, friction {:.4g}", model.plane->friction) : "";
 }
 
+std::string solids_extent(const Model& model) {
+  return counted(model.contacts.size(), "point that touches", "points that touch");
+}
+
+void remove_solids(Model& model) {
+  model.colliders.clear();
+  model.contacts.clear();
+}
+
+std::string limits_extent(const Model& model) {
+  return counted(model.limits.size(), "angle", "angles");
+}
+
+std::string wind_extent(const Model& model) {
+  return model.wind ? fmt::format("{:.4g} m/s", model.wind->velocity.norm()) : "";
+}
+
 constexpr std::array parts{
     Part{"unequal masses", masses_extent, remove_unequal_masses},
     Part{"compliance", compliance_extent, remove_compliance},
@@ -94,6 +111,9 @@ constexpr std::array parts{
     Part{"loads", loads_extent, [](Model& model) { model.loads.clear(); }},
     Part{"driven pins", pins_extent, [](Model& model) { model.driven_pins.clear(); }},
     Part{"ground", ground_extent, [](Model& model) { model.plane.reset(); }},
+    Part{"solids", solids_extent, remove_solids},
+    Part{"limits", limits_extent, [](Model& model) { model.limits.clear(); }},
+    Part{"wind", wind_extent, [](Model& model) { model.wind.reset(); }},
 };
 
 // Whether a motion has no part along z.
@@ -129,7 +149,9 @@ bool stays_in_plane(const Model& model, const State& start) {
                                            [&](const Load& load) { return zero(load.force.z()); }) &&
                                std::all_of(model.driven_pins.begin(), model.driven_pins.end(),
                                            [](const DrivenPin& pin) { return stays_flat(pin.motion); });
-  return at_rest_in_it && pulled_along_it;
+  // A limb that is straight may be pushed any way across it, and solids have any shape.
+  const bool nothing_round = model.limits.empty() && model.contacts.empty() && !model.wind;
+  return at_rest_in_it && pulled_along_it && nothing_round;
 }
 
 }  // namespace taut

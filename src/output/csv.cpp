@@ -4,6 +4,8 @@
 
 #include <iterator>
 
+#include "model/orientation.h"
+
 namespace taut {
 
 std::string mass_table_header() {
@@ -36,6 +38,19 @@ std::string link_table_rows(const Model& model, const State& state, int frame) {
       fmt::format_to(std::back_inserter(rows), "{},{},\n",
                      link_distance(model, state.position, i) / model.links.length[i] - 1.0, state.tension[i]);
   }
+  return rows;
+}
+
+std::string orientation_table_header() {
+  return "frame,time,mass,name,qw,qx,qy,qz\n";
+}
+
+std::string orientation_table_rows(const Model& model, const State& start, const State& state, int frame) {
+  std::string rows;
+  const std::vector<Eigen::Quaterniond> turns = orientations(model, start, state);
+  for (std::size_t i = 0; i < turns.size(); ++i)
+    fmt::format_to(std::back_inserter(rows), "{},{},{},{},{},{},{},{}\n", frame, state.time, i,
+                   model.masses.name[i], turns[i].w(), turns[i].x(), turns[i].y(), turns[i].z());
   return rows;
 }
 

@@ -31,10 +31,33 @@ double link_value(const Model& model, const State& state, ColourBy by, std::size
       return state.tension[link];
     case ColourBy::speed:
       return 0.5 * (speed(state, model.links.a[link]) + speed(state, model.links.b[link]));
+    case ColourBy::limit:
     case ColourBy::plain:
       break;
   }
   return 0.0;
+}
+
+// How far an angle has gone from the middle of its range to a stop, 0 to 1; where only one end is a stop,
+// from the other end.
+double nearness(const Limit& limit, double angle) {
+  const bool from_zero = limit.kind != LimitKind::hinge && limit.min <= 0.0;
+  const double share =
+      from_zero ? angle / limit.max : std::abs(2.0 * (angle - limit.min) / (limit.max - limit.min) - 1.0);
+  return std::isfinite(share) ? std::clamp(share, 0.0, 1.0) : 1.0;
+}
+
+// The nearest to a stop of the limits at each mass; a hinge's axis may be two masses.
+std::vector<double> nearest_to_stops(const Model& model, const State& state) {
+  std::vector<double> nearest(model.masses.size());
+  for (const Limit& limit : model.limits) {
+    const double value = nearness(limit, limit_angle(limit, state.position));
+    const std::size_t joint = limit.kind == LimitKind::cone ? 3 : 1;
+    const bool wide = limit.kind == LimitKind::hinge;
+    for (const std::size_t slot : {joint, wide ? std::size_t{3} : joint, wide ? std::size_t{4} : joint})
+      nearest[limit.masses[slot]] = std::max(nearest[limit.masses[slot]], value);
+  }
+  return nearest;
 }
 
 std::vector<double> mean_over_links(const Model& model, const State& state,
@@ -64,6 +87,13 @@ Quantity quantity(const Model& model, const State& state, ColourBy by) {
   Quantity result;
   if (by == ColourBy::plain) return result;
   result.of_link.resize(model.links.size());
+  if (by == ColourBy::limit) {
+    result.of_mass = nearest_to_stops(model, state);
+    for (std::size_t link = 0; link < model.links.size(); ++link)
+      result.of_link[link] =
+          0.5 * (result.of_mass[model.links.a[link]] + result.of_mass[model.links.b[link]]);
+    return result;
+  }
   for (std::size_t link = 0; link < model.links.size(); ++link) {
     result.of_link[link] = link_value(model, state, by, link);
   }
@@ -86,6 +116,7 @@ Colour ColourScale::at(double value) const {
 
 ColourScale colour_scale(const Look& look, const Model& model, const State& state, const Quantity& quantity) {
   if (look.colour_range > 0.0) return {look.colour_range, look.theme};
+  if (look.colour_by == ColourBy::limit) return {1.0, look.theme};
   double largest = 0.0;
   for (std::size_t link = 0; link < quantity.of_link.size(); ++link) {
     if (!state.broken(link)) largest = std::max(largest, quantity.of_link[link]);

@@ -33,8 +33,12 @@ struct Radii {
 /// A look's radii, or where it has none a share of the model's median link length.
 Radii radii(const Model& model, const Look& look);
 
-/// Spheres for masses, or where only links are drawn, for the joints between them. `scale` is not used when
-/// the quantity is empty.
+/// A mass's colour. `scale` is not used when the quantity is empty.
+Colour mass_colour(const Model& model, const Look& look, const Quantity& quantity, const ColourScale& scale,
+                   std::size_t mass);
+
+/// Spheres for masses that are not drawn as bones or boxes, or where only links are drawn, for the joints
+/// between them. `scale` is not used when the quantity is empty.
 std::vector<SphereRecord> sphere_records(const Model& model, const State& state, const Look& look,
                                          const Radii& radii, const Quantity& quantity,
                                          const ColourScale& scale);

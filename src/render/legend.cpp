@@ -19,6 +19,8 @@ Wording wording(ColourBy by) {
       return {"tension", "N", 1.0};
     case ColourBy::speed:
       return {"speed", "m/s", 1.0};
+    case ColourBy::limit:
+      return {"way to the stop", "%", 100.0};
     default:
       return {"strain", "%", 100.0};
   }

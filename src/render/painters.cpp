@@ -17,6 +17,22 @@ constexpr std::array surface_attributes{Attribute{3, GL_FLOAT, offsetof(SurfaceV
                                         Attribute{4, GL_UNSIGNED_BYTE, offsetof(SurfaceVertex, colour)},
                                         Attribute{1, GL_FLOAT, offsetof(SurfaceVertex, hollow)}};
 
+constexpr std::array solid_attributes{Attribute{3, GL_FLOAT, offsetof(SolidVertex, position)},
+                                      Attribute{3, GL_FLOAT, offsetof(SolidVertex, normal)},
+                                      Attribute{4, GL_UNSIGNED_BYTE, offsetof(SolidVertex, colour)}};
+
+// Replaces a mesh's vertices and indices; gives the number of indices.
+template <typename Mesh>
+GLsizei upload_mesh(const Gl& gl, VertexStream& stream, const GlObject& index_buffer, const Mesh& mesh) {
+  stream.upload(std::span(mesh.vertices));
+  stream.bind();
+  gl.bind_buffer(GL_ELEMENT_ARRAY_BUFFER, index_buffer.name());
+  const auto bytes = std::as_bytes(std::span(mesh.indices));
+  gl.buffer_data(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes.size()), bytes.data(),
+                 GL_STREAM_DRAW);
+  return static_cast<GLsizei>(mesh.indices.size());
+}
+
 void set_colour(const Program& program, const char* uniform, const Colour& colour) {
   program.set(uniform, static_cast<float>(colour[0]), static_cast<float>(colour[1]),
               static_cast<float>(colour[2]));
@@ -61,16 +77,27 @@ SurfacePainter::SurfacePainter(const Gl& gl, const ShaderLibrary& library, const
 }
 
 void SurfacePainter::upload(const SurfaceMesh& mesh) {
-  stream_.upload(std::span(mesh.vertices));
-  stream_.bind();
-  gl_->bind_buffer(GL_ELEMENT_ARRAY_BUFFER, index_buffer_.name());
-  const auto bytes = std::as_bytes(std::span(mesh.indices));
-  gl_->buffer_data(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes.size()), bytes.data(),
-                   GL_STREAM_DRAW);
-  index_count_ = static_cast<GLsizei>(mesh.indices.size());
+  index_count_ = upload_mesh(*gl_, stream_, index_buffer_, mesh);
 }
 
 void SurfacePainter::draw_with(const Program& program) const {
+  program.use();
+  stream_.bind();
+  gl_->draw_elements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
+}
+
+SolidPainter::SolidPainter(const Gl& gl, const ShaderLibrary& library)
+    : gl_(&gl),
+      colour_(gl, library, "solid.vert", "solid.frag"),
+      shadow_(gl, library, "solid.vert", "nothing.frag"),
+      stream_(gl, sizeof(SolidVertex), solid_attributes, 0),
+      index_buffer_(make_buffer(gl)) {}
+
+void SolidPainter::upload(const SolidMesh& mesh) {
+  index_count_ = upload_mesh(*gl_, stream_, index_buffer_, mesh);
+}
+
+void SolidPainter::draw_with(const Program& program) const {
   program.use();
   stream_.bind();
   gl_->draw_elements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);

@@ -6,6 +6,7 @@
 #include "lattice.h"
 #include "model/view.h"
 #include "program.h"
+#include "solid_mesh.h"
 #include "surface_mesh.h"
 
 namespace taut {
@@ -47,6 +48,24 @@ class SurfacePainter {
  public:
   SurfacePainter(const Gl& gl, const ShaderLibrary& library, const Look& look);
   void upload(const SurfaceMesh& mesh);
+  void draw() const { draw_with(colour_); }
+  void draw_shadow() const { draw_with(shadow_); }
+
+ private:
+  void draw_with(const Program& program) const;
+
+  const Gl* gl_;
+  Program colour_, shadow_;
+  VertexStream stream_;
+  GlObject index_buffer_;
+  GLsizei index_count_ = 0;
+};
+
+/// Draws bones and solids. Call upload() before the draws of a frame.
+class SolidPainter {
+ public:
+  SolidPainter(const Gl& gl, const ShaderLibrary& library);
+  void upload(const SolidMesh& mesh);
   void draw() const { draw_with(colour_); }
   void draw_shadow() const { draw_with(shadow_); }
 

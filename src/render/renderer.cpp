@@ -15,14 +15,20 @@ namespace taut {
 /// The OpenGL side of a Renderer. Every call, the destructor's too, needs the context to be current.
 class Renderer::Drawing {
  public:
-  Drawing(const GlContext& context, const Model& model, const Look& look, const RenderSettings& settings,
-          const ShaderLibrary& library);
+  Drawing(const GlContext& context, const Model& model, const State& start, const Look& look,
+          const RenderSettings& settings, const ShaderLibrary& library);
   Image draw(const State& state, const CameraPose& pose);
 
  private:
   bool casts_shadows() const { return look_.shadows && settings_.shadow_map_size > 0; }
+  bool draws_boxes() const { return look_.masses && look_.mass_shape == MassShape::box; }
+  bool draws_solids() const {
+    return (look_.bones && !model_.bones.empty()) || (look_.colliders && !model_.colliders.empty()) ||
+           draws_boxes();
+  }
   bool draws_surface() const { return look_.surface && !model_.triangles.empty(); }
   void upload(const State& state, const Quantity& quantity, const ColourScale& scale);
+  SolidMesh solids_of(const State& state, const Quantity& quantity, const ColourScale& scale) const;
   void load_block(const FrameBlock& block) const;
   FrameBlock draw_shadow_map(const Bounds& bounds) const;
   void draw_picture(const FrameBlock& block, const CameraPose& pose) const;
@@ -31,6 +37,7 @@ class Renderer::Drawing {
 
   Gl gl_;
   const Model& model_;
+  std::optional<State> start_;  // only where orientations are drawn
   Look look_;
   RenderSettings settings_;
   Radii radii_;
@@ -43,10 +50,11 @@ class Renderer::Drawing {
   SpherePainter spheres_;
   LinkPainter links_;
   SurfacePainter surface_;
+  std::optional<SolidPainter> solids_;  // only where there are any
   BackdropPainter backdrop_;
 };
 
-Renderer::Drawing::Drawing(const GlContext& context, const Model& model, const Look& look,
+Renderer::Drawing::Drawing(const GlContext& context, const Model& model, const State& start, const Look& look,
                            const RenderSettings& settings, const ShaderLibrary& library)
     : gl_(context),
       model_(model),
@@ -63,6 +71,8 @@ Renderer::Drawing::Drawing(const GlContext& context, const Model& model, const L
       surface_(gl_, library, look),
       backdrop_(gl_, library) {
   if (look.colour_by != ColourBy::plain) font_ = Font::load();
+  if (draws_solids()) solids_.emplace(gl_, library);
+  if (draws_boxes()) start_ = start;
 }
 
 Image Renderer::Drawing::draw(const State& state, const CameraPose& pose) {
@@ -70,7 +80,12 @@ Image Renderer::Drawing::draw(const State& state, const CameraPose& pose) {
   const ColourScale scale = colour_scale(look_, model_, state, values);
   upload(state, values, scale);
 
-  const Bounds bounds = bounds_of(state, radii_.mass);
+  Bounds bounds = bounds_of(state, radii_.mass);
+  if (solids_) {
+    const SolidMesh mesh = solids_of(state, values, scale);
+    solids_->upload(mesh);
+    bounds = with_mesh(bounds, mesh);
+  }
   FrameBlock block = camera_block(pose, settings_.size, settings_.samples, bounds, look_);
   gl_.enable(GL_DEPTH_TEST);
   gl_.depth_function(GL_LEQUAL);
@@ -88,6 +103,15 @@ void Renderer::Drawing::upload(const State& state, const Quantity& values, const
   spheres_.upload(std::span<const SphereRecord>(sphere_records(model_, state, look_, radii_, values, scale)));
   links_.upload(std::span<const LinkRecord>(link_records(model_, state, look_, radii_, values, scale)));
   if (draws_surface()) surface_.upload(surface_mesh(model_, state, pattern_, values, scale));
+}
+
+SolidMesh Renderer::Drawing::solids_of(const State& state, const Quantity& values,
+                                       const ColourScale& scale) const {
+  SolidMesh mesh;
+  if (look_.colliders) add_colliders(mesh, model_, look_);
+  if (look_.bones) add_bones(mesh, model_, state, look_, values, scale);
+  if (start_) add_mass_boxes(mesh, model_, *start_, state, look_, radii_.mass, values, scale);
+  return mesh;
 }
 
 void Renderer::Drawing::load_block(const FrameBlock& block) const {
@@ -110,6 +134,7 @@ FrameBlock Renderer::Drawing::draw_shadow_map(const Bounds& bounds) const {
     spheres_.draw_shadow();
     links_.draw_shadow();
   }
+  if (solids_) solids_->draw_shadow();
   gl_.disable(GL_POLYGON_OFFSET_FILL);
   return block;
 }
@@ -121,6 +146,7 @@ void Renderer::Drawing::draw_picture(const FrameBlock& block, const CameraPose& 
   gl_.clear_colour(0.0F, 0.0F, 0.0F, 0.0F);
   gl_.clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   if (draws_surface()) surface_.draw();
+  if (solids_) solids_->draw();
   draw_lattice();
   if (!settings_.transparent) draw_backdrop(block, pose);
 }
@@ -146,11 +172,11 @@ void Renderer::Drawing::draw_backdrop(const FrameBlock& block, const CameraPose&
   backdrop_.draw_sky(axes[0] * half_width, -axes[1] * half_height);
 }
 
-Renderer::Renderer(GlContext& context, const Model& model, const State& /*start*/, const Look& look,
+Renderer::Renderer(GlContext& context, const Model& model, const State& start, const Look& look,
                    const RenderSettings& settings, const std::filesystem::path& shader_folder)
     : context_(context) {
   const CurrentContext current(context_);
-  drawing_ = std::make_unique<Drawing>(context, model, look, settings, ShaderLibrary(shader_folder));
+  drawing_ = std::make_unique<Drawing>(context, model, start, look, settings, ShaderLibrary(shader_folder));
 }
 
 Renderer::~Renderer() {

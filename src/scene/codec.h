@@ -180,7 +180,11 @@ template <class E>
 struct Words;
 template <>
 struct Words<ColourBy> {
-  static constexpr std::array<std::string_view, 4> list{"plain", "strain", "tension", "speed"};
+  static constexpr std::array<std::string_view, 5> list{"plain", "strain", "tension", "speed", "limit"};
+};
+template <>
+struct Words<MassShape> {
+  static constexpr std::array<std::string_view, 2> list{"sphere", "box"};
 };
 template <>
 struct Words<Theme> {

@@ -1,4 +1,4 @@
-#include "physics_codecs.h"
+#include "physics_facts.h"
 #include "section.h"
 
 namespace taut {
@@ -7,20 +7,6 @@ namespace {
 constexpr std::array<std::string_view, 2> chain_ends{"first", "last"};
 constexpr std::array<std::string_view, 8> sheet_edges{"top",      "bottom",    "left",        "right",
                                                       "top-left", "top-right", "bottom-left", "bottom-right"};
-
-template <class T>
-Keys<T> operator+(Keys<T> a, Keys<T> b) {
-  for (Key<T>& each : b) a.push_back(std::move(each));
-  return a;
-}
-
-constexpr Facts where(std::string_view help) {
-  return {.unit = "m", .range = between(-far, far), .required = true, .help = help};
-}
-
-constexpr Facts named(std::string_view help) {
-  return {.required = true, .help = help};
-}
 
 Keys<ChainSpec> chain_keys() {
   return Keys<ChainSpec>{
@@ -50,7 +36,7 @@ Keys<ChainSpec> chain_keys() {
              key<ChainSpec>("last_motion", &ChainSpec::last_motion,
                             {.fallback = "stays", .help = "how the last mass is moved, where it is pinned"}),
          } +
-         link_property_keys<ChainSpec>(&ChainSpec::properties);
+         contact_keys<ChainSpec>() + link_property_keys<ChainSpec>(&ChainSpec::properties);
 }
 
 Keys<SheetSpec> sheet_keys() {
@@ -75,7 +61,7 @@ Keys<SheetSpec> sheet_keys() {
              key<SheetSpec>("pinned", &SheetSpec::pinned,
                             {.choices = sheet_edges, .help = "the edges and corners that are held"}),
          } +
-         link_property_keys<SheetSpec>(&SheetSpec::properties) +
+         contact_keys<SheetSpec>() + link_property_keys<SheetSpec>(&SheetSpec::properties) +
          Keys<SheetSpec>{
              key<SheetSpec>("diagonals", &SheetSpec::diagonals,
                             {.help = "links along both diagonals of every cell; true: rigid ones"}),
@@ -87,19 +73,21 @@ Keys<SheetSpec> sheet_keys() {
 }
 
 Keys<MassSpec> mass_keys() {
-  return {
-      key<MassSpec>("name", &MassSpec::name, named("for links, loads and the camera")),
-      key<MassSpec>("position", &MassSpec::position, where("at the start")),
-      key<MassSpec>("velocity", &MassSpec::velocity,
-                    {.unit = "m/s",
-                     .range = between(-far, far),
-                     .help = "at the start; means nothing where it is pinned"}),
-      key<MassSpec>("mass", &MassSpec::mass,
-                    {.unit = "kg", .range = above_to(0, 1e12), .help = "means nothing where it is pinned"}),
-      key<MassSpec>("pinned", &MassSpec::pinned, {.help = "whether it is held"}),
-      key<MassSpec>("motion", &MassSpec::motion,
-                    {.fallback = "stays", .help = "how it is moved, where it is pinned"}),
-  };
+  return Keys<MassSpec>{
+             key<MassSpec>("name", &MassSpec::name, named("for links, loads and the camera")),
+             key<MassSpec>("position", &MassSpec::position, where("at the start")),
+             key<MassSpec>("velocity", &MassSpec::velocity,
+                           {.unit = "m/s",
+                            .range = between(-far, far),
+                            .help = "at the start; means nothing where it is pinned"}),
+             key<MassSpec>(
+                 "mass", &MassSpec::mass,
+                 {.unit = "kg", .range = above_to(0, 1e12), .help = "means nothing where it is pinned"}),
+             key<MassSpec>("pinned", &MassSpec::pinned, {.help = "whether it is held"}),
+             key<MassSpec>("motion", &MassSpec::motion,
+                           {.fallback = "stays", .help = "how it is moved, where it is pinned"}),
+         } +
+         contact_keys<MassSpec>();
 }
 
 Keys<LinkSpec> link_keys() {
@@ -129,25 +117,6 @@ Keys<LoadSpec> load_keys() {
   };
 }
 
-Keys<PlaneSpec> plane_keys() {
-  return {
-      key<PlaneSpec>("point", &PlaneSpec::point,
-                     {.unit = "m", .range = between(-far, far), .help = "any point on it"}),
-      key<PlaneSpec>("normal", &PlaneSpec::normal,
-                     {.range = between(-far, far), .help = "away from the ground, of any length but 0"}),
-      key<PlaneSpec>("friction", &PlaneSpec::friction,
-                     {.range = between(0, 100), .help = "Coulomb's coefficient"}),
-  };
-}
-
-// What gives a list of the description, of a Scene or of a const one.
-template <class List>
-auto description_of(List Description::*list) {
-  return [list](auto& scene) -> auto& {
-    return scene.description.*list;
-  };
-}
-
 }  // namespace
 
 std::vector<Section> physics_sections() {
@@ -162,8 +131,6 @@ std::vector<Section> physics_sections() {
                                  description_of(&Description::links)),
       repeated_section<LoadSpec>("load", "A force that grows linearly.", load_keys(),
                                  description_of(&Description::loads)),
-      repeated_section<PlaneSpec>("plane", "The ground, which no mass can enter. At most one.", plane_keys(),
-                                  description_of(&Description::planes)),
   };
 }
 

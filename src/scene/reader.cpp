@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 namespace taut {
 namespace {
 
@@ -43,14 +47,15 @@ void Reader::unreadable(const Origin& origin, std::string message, std::string h
   unreadable_.insert(entry_);
   const std::string& section = entry_.first;
   // An empty section is the top level: an unknown section may have been meant to hold masses.
-  if (section.empty() || section == "mass" || section == "chain" || section == "sheet")
-    names_incomplete_ = true;
+  static constexpr std::array<std::string_view, 5> naming{"", "mass", "chain", "sheet", "ragdoll"};
+  if (std::ranges::find(naming, section) != naming.end()) names_incomplete_ = true;
 }
 
 bool Reader::follows_from_reported(const Problem& problem) const {
   const EntryId id{problem.section, problem.index};
   if (unreadable_.contains(id)) return true;
-  if (names_incomplete_ && (problem.section == "link" || problem.section == "load")) return true;
+  static constexpr std::array<std::string_view, 5> using_names{"link", "load", "angle", "hinge", "cone"};
+  if (names_incomplete_ && std::ranges::find(using_names, problem.section) != using_names.end()) return true;
   const auto reported = reported_keys_.find(id);
   if (reported == reported_keys_.end()) return false;
   return problem.key.empty() || reported->second.contains(problem.key.substr(0, problem.key.find('.')));

@@ -36,8 +36,14 @@ Keys<Look> look_keys() {
       key<Look>("surface", &Look::surface, {.help = "whether sheets are drawn as cloth"}),
       key<Look>("ground", &Look::ground, {.help = "whether a ground with grid lines is drawn"}),
       key<Look>("shadows", &Look::shadows, {.help = "whether things cast shadows"}),
+      key<Look>("bones", &Look::bones,
+                {.help = "whether ragdolls are drawn as capsules, in place of their masses and links"}),
+      key<Look>("colliders", &Look::colliders,
+                {.help = "whether spheres, capsules and boxes to hit are drawn"}),
       key<Look>("theme", &Look::theme, {.help = "sky and ground"}),
-      key<Look>("colour_by", &Look::colour_by, {.help = "what links (masses, for speed) are coloured by"}),
+      key<Look>(
+          "colour_by", &Look::colour_by,
+          {.help = "what links (masses for speed, joints for limit) are coloured by; limit: 1 at a stop"}),
       key<Look>("colour_range", &Look::colour_range,
                 {.unit = "1, N or m/s",
                  .range = between(0, 1e15),
@@ -53,9 +59,13 @@ Keys<Look> look_keys() {
                  "of free masses: red, green, blue; text as \"#cc8c33\" works as well"),
       colour_key("pin_colour", &Look::pin_colour, "of pinned masses"),
       colour_key("link_colour", &Look::link_colour, "of links"),
+      colour_key("bone_colour", &Look::bone_colour, "of ragdolls"),
+      colour_key("collider_colour", &Look::collider_colour, "of what there is to hit"),
       colour_key("surface_colour", &Look::surface_colour, "of the cloth's front"),
       colour_key("surface_back_colour", &Look::surface_back_colour, "of the cloth's back"),
       key<Look>("pattern", &Look::pattern, {.help = "how the cloth is painted"}),
+      key<Look>("mass_shape", &Look::mass_shape,
+                {.help = "how masses are drawn; boxes show how each has turned with its links"}),
   };
 }
 
@@ -88,6 +98,16 @@ Keys<Expectation> expect_keys() {
                         .range = between(-far, far),
                         .fallback = "not checked",
                         .help = "[lowest corner, highest corner] of a box that holds every mass"}),
+      key<Expectation>("limit_excess", &Expectation::limit_excess,
+                       {.unit = "degrees",
+                        .range = between(0, 180),
+                        .fallback = "not checked",
+                        .help = "farthest that any angle is beyond its range"}),
+      key<Expectation>("penetration", &Expectation::penetration,
+                       {.unit = "m",
+                        .range = between(0, far),
+                        .fallback = "not checked",
+                        .help = "deepest that anything is inside what it can hit"}),
   };
 }
 

@@ -98,7 +98,25 @@ std::vector<Mistake> mistakes_of_numbers() {
       {"plane_normal", [](D& d) { d.planes[0].normal = Vec3::Zero(); }, "plane", "normal", "not be zero"},
       {"plane_friction", [](D& d) { d.planes[0].friction = -0.1; }, "plane", "friction", "0"},
       {"plane_point", [](D& d) { d.planes[0].point.x() = infinity; }, "plane", "point", "finite"},
-      {"two_planes", [](D& d) { d.planes.push_back(d.planes[0]); }, "plane", "", "only one"},
+      {"plane_restitution", [](D& d) { d.planes[0].restitution = 1.5; }, "plane", "restitution",
+       "from 0 to 1"},
+      {"sphere_radius",
+       [](D& d) {
+         d.spheres = {SphereSpec{Vec3::Zero(), 0.0, 0.5, 0.0}};
+       },
+       "sphere", "radius", "above 0 m"},
+      {"capsule_point",
+       [](D& d) {
+         d.capsules = {CapsuleSpec{Vec3::Zero(), Vec3::Zero(), 1.0, 0.5, 0.0}};
+       },
+       "capsule", "to", "write a [[sphere]]"},
+      {"box_size",
+       [](D& d) {
+         d.boxes = {BoxSpec{Vec3::Zero(), Vec3(1.0, -1.0, 1.0), Vec3::Zero(), 0.5, 0.0}};
+       },
+       "box", "size", "above 0 m"},
+      {"wind_time", [](D& d) { d.wind.gust_time = 0.0; }, "wind", "gust_time", "above 0 s"},
+      {"mass_radius", [](D& d) { d.masses[1].radius = -1.0; }, "mass", "radius", "0 m or more"},
   };
 }
 
@@ -221,6 +239,70 @@ std::vector<Mistake> mistakes_of_motions_and_hooks() {
   };
 }
 
+// Limits between the pendulum's hook and bob and a third mass off their line.
+void add_limits(D& d) {
+  MassSpec side = d.masses[1];
+  side.name = "side";
+  side.position = {0.5, 1.0, 0.0};
+  MassSpec tip = side;
+  tip.name = "tip";
+  tip.position = {1.0, 0.0, 1.0};
+  d.masses.push_back(side);
+  d.masses.push_back(tip);
+  d.angles = {AngleSpec{{"hook", "bob", "side"}, 10.0, 170.0, 0.0}};
+  d.hinges = {HingeSpec{{"hook", "bob", "side"}, {"bob", "tip"}, -150.0, 150.0, 0.0}};
+  d.cones = {ConeSpec{{"hook", "bob", "side"}, {"bob", "tip"}, {0.0, 0.0, 1.0}, 30.0, 0.0}};
+  RagdollSpec doll;
+  doll.name = "doll";
+  d.ragdolls = {doll};
+}
+
+std::vector<Mistake> mistakes_of_limits() {
+  const auto with = [](auto change) {
+    return [change](D& d) {
+      add_limits(d);
+      change(d);
+    };
+  };
+  return {
+      {"none_here", with([](D& d) { d.drag = -1.0; }), "world", "drag", "drag"},
+      {"angle_count", with([](D& d) { d.angles[0].masses.pop_back(); }), "angle", "masses",
+       "must name 3 masses, not 2"},
+      {"angle_order", with([](D& d) { d.angles[0].max = 5.0; }), "angle", "min",
+       "min = 10 degrees is above max = 5 degrees"},
+      {"angle_range", with([](D& d) { d.angles[0].max = 190.0; }), "angle", "max", "from 0 to 180 degrees"},
+      {"angle_name", with([](D& d) { d.angles[0].masses[2] = "sid"; }), "angle", "masses",
+       "no mass is named \"sid\""},
+      {"angle_twice", with([](D& d) { d.angles[0].masses[2] = "bob"; }), "angle", "masses",
+       "at the same point"},
+      {"angle_start", with([](D& d) { d.angles[0].max = 45.0; }), "angle", "max",
+       "at the start the angle is 63.43 degrees, outside its range of 10 to 45"},
+      {"angle_soft", with([](D& d) { d.angles[0].compliance = -1.0; }), "angle", "compliance", "or more"},
+      {"hinge_range", with([](D& d) { d.hinges[0].min = -200.0; }), "hinge", "min",
+       "from -180 to 180 degrees"},
+      {"hinge_axis", with([](D& d) { d.hinges[0].axis[1] = "bob"; }), "hinge", "axis", "at the same point"},
+      {"hinge_on_axis", with([](D& d) { d.hinges[0].masses[2] = "tip"; }), "hinge", "masses",
+       "lies on the hinge's axis"},
+      {"hinge_start", with([](D& d) { d.hinges[0].max = 90.0; }), "hinge", "max",
+       "outside its range of -150 to 90"},
+      {"cone_frame", with([](D& d) { d.cones[0].frame[2] = "hook"; }), "cone", "frame", "on one line"},
+      {"cone_limb", with([](D& d) { d.cones[0].limb[1] = "bob"; }), "cone", "limb", "at the same point"},
+      {"cone_axis", with([](D& d) { d.cones[0].axis = Vec3::Zero(); }), "cone", "axis", "must not be zero"},
+      {"cone_start", with([](D& d) {
+         d.cones[0].axis = {1.0, 0.0, 0.0};
+       }),
+       "cone", "half_angle", "at the start the angle is 90 degrees"},
+      {"doll_height", with([](D& d) { d.ragdolls[0].height = 0.0; }), "ragdoll", "height", "above 0 m"},
+      {"doll_range", with([](D& d) {
+         d.ragdolls[0].ranges.knee = {-10.0, -20.0};
+       }),
+       "ragdoll", "ranges.knee", "begins above its end"},
+      {"doll_handle", with([](D& d) { d.ragdolls[0].pinned = {"nose"}; }), "ragdoll", "pinned",
+       "not \"nose\""},
+      {"doll_name", with([](D& d) { d.ragdolls[0].name = "rope"; }), "ragdoll", "name", "is taken by"},
+  };
+}
+
 std::string mistake_name(const ::testing::TestParamInfo<Mistake>& info) {
   return info.param.label;
 }
@@ -229,6 +311,7 @@ INSTANTIATE_TEST_SUITE_P(Numbers, OneMistake, ::testing::ValuesIn(mistakes_of_nu
 INSTANTIATE_TEST_SUITE_P(Properties, OneMistake, ::testing::ValuesIn(mistakes_of_link_properties()),
                          mistake_name);
 INSTANTIATE_TEST_SUITE_P(Names, OneMistake, ::testing::ValuesIn(mistakes_of_names()), mistake_name);
+INSTANTIATE_TEST_SUITE_P(Limits, OneMistake, ::testing::ValuesIn(mistakes_of_limits()), mistake_name);
 INSTANTIATE_TEST_SUITE_P(Motions, OneMistake, ::testing::ValuesIn(mistakes_of_motions_and_hooks()),
                          mistake_name);
 

@@ -199,8 +199,56 @@ TEST(SceneErrors, ProblemsOfTheModelPointAtTheKey) {
 }
 
 TEST(SceneErrors, ProblemsOfTheModelWithoutTheirKeyPointAtTheEntry) {
-  EXPECT_EQ(errors_of(masses_with("[[plane]]\n[[plane]]\n")),
-            "f.toml:9:1: there can be only one [[plane]]\n    [[plane]]\n    ^");
+  EXPECT_EQ(errors_of(masses_with("[[capsule]]\nfrom = [0, 0, 0]\nto = [0, 0, 0]\n")),
+            "f.toml:10:1: from and to are the same point: write a [[sphere]]\n    to = [0, 0, 0]\n    ^");
+  EXPECT_EQ(
+      errors_of(masses_with("[[ragdoll]]\nname = \"doll\"\nposition = [0, 5, 0]\nranges.knee = [-90, -20]\n"))
+          .substr(0, 76),
+      "f.toml:8:1: left_knee starts 12 degrees outside the range of knee, -90 to -2");
+}
+
+std::string third_mass_with(const std::string& lines) {
+  return masses_with("[[mass]]\nname = \"tip\"\nposition = [1, 1, 0]\n" + lines);  // starts on line 11
+}
+
+TEST(SceneErrors, OfLimitsNameTheirLineAndColumn) {
+  const std::string angle = "[[angle]]\nmasses = [\"hand\", \"bob\", \"tip\"]\n";
+  EXPECT_EQ(errors_of(third_mass_with(angle + "min = 90\nmax = 10\n")),
+            "f.toml:13:1: min = 90 degrees is above max = 10 degrees\n    min = 90\n    ^");
+  EXPECT_EQ(errors_of(third_mass_with(angle + "max = 200\n")),
+            "f.toml:13:7: \"max\" must be between 0 and 180 degrees, not 200\n    max = 200\n          ^");
+  EXPECT_EQ(
+      errors_of(third_mass_with(angle + "max = 45\n")),
+      "f.toml:13:1: at the start the angle is 90 degrees, outside its range of 0 to 45\n    max = 45\n    ^");
+  EXPECT_EQ(errors_of(third_mass_with("[[angle]]\nmasses = [\"hand\", \"bob\", \"hand\", \"tip\"]\n")),
+            "f.toml:12:1: masses must name 3 masses, not 4\n"
+            "    masses = [\"hand\", \"bob\", \"hand\", \"tip\"]\n    ^");
+  EXPECT_EQ(errors_of(third_mass_with("[[angle]]\nmasses = [\"hand\", \"bob\", \"bob\"]\n")),
+            "f.toml:12:1: \"bob\" and \"bob\" are at the same point, so there is no direction\n"
+            "    masses = [\"hand\", \"bob\", \"bob\"]\n    ^");
+  EXPECT_EQ(errors_of(third_mass_with(
+                "[[hinge]]\nmasses = [\"hand\", \"bob\", \"tip\"]\naxis = [\"bob\", \"tap\"]\n")),
+            "f.toml:13:1: no mass is named \"tap\"\n    axis = [\"bob\", \"tap\"]\n    ^\n"
+            "    did you mean \"tip\"?");
+  EXPECT_EQ(errors_of(third_mass_with(
+                "[[cone]]\nframe = [\"hand\", \"bob\", \"hand\"]\nlimb = [\"bob\", \"tip\"]\n")),
+            "f.toml:12:1: the masses of the frame lie on one line, so it has no directions\n"
+            "    frame = [\"hand\", \"bob\", \"hand\"]\n    ^");
+}
+
+TEST(SceneErrors, JointsThatDoNotExist) {
+  EXPECT_EQ(errors_of("[[ragdoll]]\nname = \"doll\"\nposition = [0, 1, 0]\nranges = { kne = [-90, -4] }\n"),
+            "f.toml:4:12: unknown key \"kne\" in \"ranges\"\n    ranges = { kne = [-90, -4] }\n"
+            "               ^\n    did you mean \"knee\" (degrees)?");
+}
+
+TEST(SceneErrors, AMethodWithoutLimitsSaysWhichHaveThem) {
+  const std::string scene = third_mass_with(
+      "[[angle]]\nmasses = [\"hand\", \"bob\", \"tip\"]\n"
+      "[solve]\nmethod = \"euler\"\n");
+  EXPECT_EQ(errors_of(scene).substr(0, 100),
+            "f.toml:14:1: method \"euler\" has no limits on angles; these have: verlet, xpbd, shake, rattle, "
+            "newton");
 }
 
 TEST(SceneErrors, SheetsThatMemoryCannotHoldAreRefused) {

@@ -41,6 +41,8 @@ TEST(KeyReference, ListsEveryKeyOfEverySection) {
                                            "length",
                                            "mass",
                                            "last_mass",
+                                           "radius",
+                                           "collides",
                                            "pinned",
                                            "first_motion",
                                            "first_motion.amplitude",
@@ -64,6 +66,8 @@ TEST(KeyReference, ListsEveryKeyOfEverySection) {
                                            "down",
                                            "mass",
                                            "fullness",
+                                           "radius",
+                                           "collides",
                                            "hooks",
                                            "hooks.every",
                                            "hooks.draw",
@@ -84,18 +88,61 @@ TEST(KeyReference, ListsEveryKeyOfEverySection) {
                                            "skip_one.break_tension"}));
   EXPECT_EQ(keys_of("`[[mass]]`"),
             (Names{"name", "position", "velocity", "mass", "pinned", "motion", "motion.amplitude",
-                   "motion.angular_frequency", "motion.phase", "motion.path"}));
+                   "motion.angular_frequency", "motion.phase", "motion.path", "radius", "collides"}));
   EXPECT_EQ(keys_of("`[[link]]`"),
             (Names{"a", "b", "length", "stiffness", "damping", "break_stretch", "break_tension"}));
   EXPECT_EQ(keys_of("`[[load]]`"), (Names{"masses", "force", "from", "to"}));
-  EXPECT_EQ(keys_of("`[[plane]]`"), (Names{"point", "normal", "friction"}));
+  EXPECT_EQ(keys_of("`[[plane]]`"), (Names{"point", "normal", "friction", "restitution"}));
+  EXPECT_EQ(keys_of("`[[sphere]]`"), (Names{"centre", "radius", "friction", "restitution"}));
+  EXPECT_EQ(keys_of("`[[capsule]]`"), (Names{"from", "to", "radius", "friction", "restitution"}));
+  EXPECT_EQ(keys_of("`[[box]]`"), (Names{"centre", "size", "turn", "friction", "restitution"}));
+  EXPECT_EQ(keys_of("`[wind]`"),
+            (Names{"velocity", "gust", "gust_time", "seed", "density", "drag_coefficient"}));
+  EXPECT_EQ(keys_of("`[[angle]]`"), (Names{"masses", "min", "max", "compliance"}));
+  EXPECT_EQ(keys_of("`[[hinge]]`"), (Names{"masses", "axis", "min", "max", "compliance"}));
+  EXPECT_EQ(keys_of("`[[cone]]`"), (Names{"frame", "limb", "axis", "half_angle", "compliance"}));
+  EXPECT_EQ(keys_of("`[[ragdoll]]`"), (Names{"name",
+                                             "height",
+                                             "mass",
+                                             "position",
+                                             "turn",
+                                             "velocity",
+                                             "spin",
+                                             "pose",
+                                             "pose.neck",
+                                             "pose.left_shoulder",
+                                             "pose.right_shoulder",
+                                             "pose.left_shoulder_out",
+                                             "pose.right_shoulder_out",
+                                             "pose.left_elbow",
+                                             "pose.right_elbow",
+                                             "pose.left_hip",
+                                             "pose.right_hip",
+                                             "pose.left_hip_out",
+                                             "pose.right_hip_out",
+                                             "pose.left_knee",
+                                             "pose.right_knee",
+                                             "ranges",
+                                             "ranges.neck",
+                                             "ranges.elbow",
+                                             "ranges.knee",
+                                             "ranges.shoulder",
+                                             "ranges.hip",
+                                             "ranges.hip_twist",
+                                             "ranges.wrist",
+                                             "ranges.ankle",
+                                             "pinned",
+                                             "collides"}));
   EXPECT_EQ(keys_of("`[camera]`"), (Names{"eye", "target", "field_of_view", "orbit", "follow"}));
   EXPECT_EQ(keys_of("`[look]`"),
-            (Names{"masses", "links", "surface", "ground", "shadows", "theme", "colour_by", "colour_range",
-                   "ground_height", "mass_radius", "link_radius", "mass_colour", "pin_colour", "link_colour",
-                   "surface_colour", "surface_back_colour", "pattern"}));
-  EXPECT_EQ(keys_of("`[expect]`"),
-            (Names{"max_strain", "energy_drift", "broken_links", "sag", "at_rest", "inside"}));
+            (Names{"masses",        "links",          "surface",        "ground",
+                   "shadows",       "theme",          "colour_by",      "colour_range",
+                   "ground_height", "mass_radius",    "link_radius",    "mass_colour",
+                   "pin_colour",    "link_colour",    "surface_colour", "surface_back_colour",
+                   "pattern",       "bones",          "colliders",      "mass_shape",
+                   "bone_colour",   "collider_colour"}));
+  EXPECT_EQ(keys_of("`[expect]`"), (Names{"max_strain", "energy_drift", "broken_links", "sag", "at_rest",
+                                          "inside", "limit_excess", "penetration"}));
 }
 
 TEST(KeyReference, ListsEveryParameterOfEveryMethod) {

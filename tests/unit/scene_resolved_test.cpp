@@ -74,6 +74,7 @@ name = "bob"
 position = [1, 5, 0]
 velocity = [0, 0, 0.1]
 mass = 3
+radius = 0.1
 [[link]]
 a = "hand"
 b = "bob"
@@ -90,10 +91,57 @@ masses = ["cloth.8.*", "bob"]
 force = [0, -5, 0]
 from = 1
 to = 4
+[[ragdoll]]
+name = "doll"
+height = 1.6
+mass = 61
+position = [3, 4, 5]
+turn = [10, 20, 30]
+velocity = [1, 2, 3]
+spin = [0.1, 0.2, 0.3]
+pose = { neck = 3, left_shoulder = 21, right_elbow = 33, left_knee = -20 }
+ranges = { knee = [-120, -2], hip = 60 }
+pinned = ["left_hand", "head"]
+collides = true
+[[angle]]
+masses = ["hand", "bob", "rope.0"]
+min = 1
+max = 179.5
+compliance = 0.01
+[[hinge]]
+masses = ["hand", "bob", "elastic.0"]
+axis = ["bob", "rope.40"]
+min = -170
+max = 175
+[[cone]]
+frame = ["hand", "bob", "rope.0"]
+limb = ["bob", "rope.3", "rope.4"]
+axis = [0.1, 0.2, 0.3]
+half_angle = 179
 [[plane]]
 point = [0, -1, 0]
 normal = [0.1, 1, 0]
 friction = 0.1
+restitution = 0.3
+[[sphere]]
+centre = [9, 8, 7]
+radius = 0.5
+friction = 0.2
+[[capsule]]
+from = [9, 9, 9]
+to = [8, 8, 8]
+radius = 0.3
+[[box]]
+centre = [7, 7, 7]
+size = [1, 2, 3]
+turn = [10, 20, 30]
+[wind]
+velocity = [1, 2, 3]
+gust = 0.3
+gust_time = 0.7
+seed = 5
+density = 1.1
+drag_coefficient = 1.3
 [camera]
 eye = [0, 1, 7]
 target = [0, 0.5, 0]
@@ -118,6 +166,11 @@ link_colour = [0.4, 0.5, 0.6]
 surface_colour = [0.7, 0.8, 0.9]
 surface_back_colour = [0, 0.5, 1]
 pattern = "woven"
+mass_shape = "box"
+bones = false
+colliders = false
+bone_colour = [0.1, 0.5, 1]
+collider_colour = [0.2, 0.5, 1]
 [expect]
 max_strain = 0.1
 energy_drift = 0.2
@@ -125,6 +178,8 @@ broken_links = [0, 3]
 sag = [0.1, 2]
 at_rest = 0.3
 inside = [[-9, -8, -7], [7, 8, 9]]
+limit_excess = 1
+penetration = 0.001
 )";
 
 void expect_same_links(const Links& a, const Links& b) {
@@ -169,6 +224,29 @@ void expect_same_model(const Model& a, const Model& b) {
     EXPECT_EQ(a.plane->point, b.plane->point);
     EXPECT_EQ(a.plane->normal, b.plane->normal);
     EXPECT_EQ(a.plane->friction, b.plane->friction);
+  }
+  ASSERT_EQ(a.limits.size(), b.limits.size());
+  for (std::size_t i = 0; i < a.limits.size(); ++i) {
+    EXPECT_EQ(a.limits[i].kind, b.limits[i].kind);
+    EXPECT_EQ(a.limits[i].masses, b.limits[i].masses);
+    EXPECT_EQ(a.limits[i].axis, b.limits[i].axis);
+    EXPECT_EQ(a.limits[i].min, b.limits[i].min);
+    EXPECT_EQ(a.limits[i].max, b.limits[i].max);
+    EXPECT_EQ(a.limits[i].compliance, b.limits[i].compliance);
+  }
+  ASSERT_EQ(a.colliders.size(), b.colliders.size());
+  for (std::size_t i = 0; i < a.colliders.size(); ++i) {
+    EXPECT_EQ(a.colliders[i].friction, b.colliders[i].friction);
+    EXPECT_EQ(a.colliders[i].restitution, b.colliders[i].restitution);
+    for (const Vec3& x : {Vec3(0.0, 0.0, 0.0), Vec3(7.0, 7.3, 8.0)})
+      EXPECT_EQ(nearest_surface(a.colliders[i].shape, x).distance,
+                nearest_surface(b.colliders[i].shape, x).distance);
+  }
+  EXPECT_EQ(a.contacts.size(), b.contacts.size());
+  EXPECT_EQ(a.masses.radius, b.masses.radius);
+  ASSERT_EQ(a.wind.has_value(), b.wind.has_value());
+  if (a.wind) {
+    EXPECT_EQ(wind_at(*a.wind, 1.3), wind_at(*b.wind, 1.3));
   }
   EXPECT_EQ(a.triangles.size(), b.triangles.size());
   EXPECT_EQ(a.sheets.size(), b.sheets.size());
@@ -253,6 +331,8 @@ TEST(ResolvedToml, FillsInDefaultsAndSaysWhatLeftOutKeysMean) {
                           "pinned = []\n"
                           "# first_motion: stays\n"
                           "# last_motion: stays\n"
+                          "radius = 0.0\n"
+                          "collides = false\n"
                           "# stiffness: rigid\n"
                           "damping = 0.0\n"
                           "# break_stretch: never\n"

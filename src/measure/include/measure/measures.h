@@ -48,6 +48,13 @@ double sag(const Model& model, const State& state);
 /// Speed of the fastest mass (m/s).
 double fastest_speed(const State& state);
 
+/// How far the worst angle is beyond its range (rad); 0 where none is.
+double largest_limit_excess(const Model& model, const State& state);
+
+/// How deep the deepest contact point, or mass on a plane, is inside what it can't enter (m); 0 where none
+/// is.
+double deepest_penetration(const Model& model, const State& state);
+
 /// Links that are broken.
 std::size_t broken_links(const State& state);
 

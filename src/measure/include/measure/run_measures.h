@@ -25,6 +25,8 @@ struct RunMeasures {
   Vec3 angular_momentum = Vec3::Zero();  ///< kg m²/s
   double sag = 0.0;                      ///< m
   double fastest_speed = 0.0;            ///< m/s
+  double limit_excess = 0.0;             ///< rad
+  double penetration = 0.0;              ///< m
   std::size_t broken_links = 0;
   StepReport counts;  ///< sums over all steps
 };

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "model/model.h"
@@ -10,7 +12,8 @@
 namespace taut {
 
 // A scene's physics as a person writes it: names instead of indices, whole chains and sheets instead of
-// masses. Every number is SI. build() turns it into a Model and the State at the start.
+// masses. Every number is SI, but angles are in degrees. build() turns it into a Model and the State at the
+// start.
 
 /// What links made together share.
 struct LinkProperties {
@@ -38,7 +41,9 @@ struct MassSpec {
   Vec3 velocity = Vec3::Zero();  ///< m/s; ignored when pinned
   double mass = 1.0;             ///< kg; ignored when pinned
   bool pinned = false;
-  MotionSpec motion;  ///< only for pinned masses
+  MotionSpec motion;      ///< only for pinned masses
+  double radius = 0.0;    ///< m, of contact with colliders
+  bool collides = false;  ///< whether it touches other bodies that do so
 };
 
 struct LinkSpec {
@@ -60,6 +65,8 @@ struct ChainSpec {
   std::vector<std::string> pinned;       ///< "first", "last"
   MotionSpec first_motion, last_motion;  ///< only for ends that are pinned
   LinkProperties properties;
+  double radius = 0.0;    ///< m, of every mass, for contact
+  bool collides = false;  ///< whether it touches other bodies that do so
 };
 
 /// One more family of links in a sheet, with properties of its own.
@@ -88,6 +95,8 @@ struct SheetSpec {
   LinkProperties properties;  ///< of the links along rows and columns
   ExtraLinks diagonals;       ///< both diagonals of every cell
   ExtraLinks skip_one;        ///< from every mass to the next but one along rows and columns
+  double radius = 0.0;        ///< m, of every mass, for contact
+  bool collides = false;      ///< whether it touches other bodies that do so
 };
 
 struct LoadSpec {
@@ -100,6 +109,107 @@ struct PlaneSpec {
   Vec3 point = Vec3::Zero();    ///< m
   Vec3 normal = Vec3::UnitY();  ///< any length but 0
   double friction = 0.5;
+  double restitution = 0.0;  ///< 0 to 1
+};
+
+struct SphereSpec {
+  Vec3 centre = Vec3::Zero();  ///< m
+  double radius = 1.0;         ///< m
+  double friction = 0.5;
+  double restitution = 0.0;  ///< 0 to 1
+};
+
+/// Everything within a radius of the line from `from` to `to`.
+struct CapsuleSpec {
+  Vec3 from = Vec3::Zero(), to = Vec3::Zero();  ///< m
+  double radius = 1.0;                          ///< m
+  double friction = 0.5;
+  double restitution = 0.0;  ///< 0 to 1
+};
+
+struct BoxSpec {
+  Vec3 centre = Vec3::Zero();  ///< m
+  Vec3 size = Vec3::Ones();    ///< m, whole edges
+  Vec3 turn = Vec3::Zero();    ///< degrees about x, then y, then z
+  double friction = 0.5;
+  double restitution = 0.0;  ///< 0 to 1
+};
+
+/// A range for the angle at the second of three masses.
+struct AngleSpec {
+  std::vector<std::string> masses;  ///< three names
+  double min = 0.0, max = 180.0;    ///< degrees
+  double compliance = 0.0;          ///< rad/(N m)
+};
+
+/// A range for how far the third mass is turned on from straight, about an axis from one mass to another.
+struct HingeSpec {
+  std::vector<std::string> masses;   ///< three names
+  std::vector<std::string> axis;     ///< two names
+  double min = -180.0, max = 180.0;  ///< degrees, right-handed about the axis, 0: straight
+  double compliance = 0.0;           ///< rad/(N m)
+};
+
+/// A half-angle for a limb about an axis that is fixed in the frame of three masses.
+struct ConeSpec {
+  std::vector<std::string> frame;  ///< three names
+  std::vector<std::string> limb;   ///< from the first to the second, or to the middle of the second and third
+  Vec3 axis = Vec3::UnitY();       ///< as it points at the start
+  double half_angle = 90.0;        ///< degrees
+  double compliance = 0.0;         ///< rad/(N m)
+};
+
+/// The angles of a ragdoll's joints at the start, in degrees. Bends are about the body's right-hand axis: a
+/// limb that hangs swings forward by a positive one. "out" is sideways, away from the body.
+struct PoseSpec {
+  double neck = 0.0;
+  double left_shoulder = 0.0, right_shoulder = 0.0;
+  double left_shoulder_out = 10.0, right_shoulder_out = 10.0;
+  double left_elbow = 10.0, right_elbow = 10.0;
+  double left_hip = 5.0, right_hip = 5.0;
+  double left_hip_out = 4.0, right_hip_out = 4.0;
+  double left_knee = -8.0, right_knee = -8.0;
+};
+
+/// Ranges of a ragdoll's joints in degrees: [least, most] of hinges, half-angles of cones.
+struct RangeSpec {
+  std::array<double, 2> neck{-54.0, 18.0};
+  std::array<double, 2> elbow{1.8, 90.0};
+  std::array<double, 2> knee{-90.0, -3.6};
+  double shoulder = 76.5;
+  double hip = 40.5;
+  double hip_twist = 50.0;
+  double wrist = 60.0;
+  double ankle = 35.0;
+};
+
+/// The parts a ragdoll can be held by.
+inline constexpr std::array<std::string_view, 5> ragdoll_handles{"left_hand", "right_hand", "left_foot",
+                                                                 "right_foot", "head"};
+
+/// A body of a given height and mass, its segments by Winter's table.
+struct RagdollSpec {
+  std::string name;
+  double height = 1.75;          ///< m
+  double mass = 75.0;            ///< kg
+  Vec3 position = Vec3::Zero();  ///< m, of the middle of the hips at the start
+  Vec3 turn = Vec3::Zero();      ///< degrees about x, then y, then z; unturned it stands and looks along +z
+  Vec3 velocity = Vec3::Zero();  ///< m/s
+  Vec3 spin = Vec3::Zero();      ///< rad/s, about its centre of mass
+  PoseSpec pose;
+  RangeSpec ranges;
+  std::vector<std::string> pinned;  ///< out of ragdoll_handles
+  bool collides = false;            ///< whether it touches other bodies that do so
+};
+
+/// Air that blows on sheets; see Wind. None where the velocity is zero.
+struct WindSpec {
+  Vec3 velocity = Vec3::Zero();  ///< m/s
+  double gust = 0.0;             ///< share of the velocity
+  double gust_time = 1.0;        ///< s
+  int seed = 1;
+  double density = 1.2;  ///< kg/m³
+  double drag_coefficient = 1.2;
 };
 
 struct Description {
@@ -111,11 +221,19 @@ struct Description {
   std::vector<SheetSpec> sheets;
   std::vector<LoadSpec> loads;
   std::vector<PlaneSpec> planes;
+  std::vector<SphereSpec> spheres;
+  std::vector<CapsuleSpec> capsules;
+  std::vector<BoxSpec> boxes;
+  std::vector<AngleSpec> angles;
+  std::vector<HingeSpec> hinges;
+  std::vector<ConeSpec> cones;
+  std::vector<RagdollSpec> ragdolls;
+  WindSpec wind;
 };
 
 /// Something wrong with one entry of a Description, in the words of the scene format.
 struct Problem {
-  std::string section;    ///< "mass", "link", "chain", "sheet", "load", "plane" or "world"
+  std::string section;    ///< that of the entry, such as "mass" or "world"
   std::size_t index = 0;  ///< which of that section's entries
   std::string key;        ///< which key of it; empty: the entry as a whole
   std::string message;
@@ -129,7 +247,8 @@ struct Built {
 };
 
 /// Validates a description and builds its model and the state at t = 0. Masses come in the order chains,
-/// sheets, masses; links in the order chains, sheets, links. All problems are reported at once.
+/// sheets, ragdolls, masses; links in the order chains, sheets, ragdolls, links. All problems are reported at
+/// once.
 Built build(const Description& description);
 
 }  // namespace taut

@@ -17,6 +17,8 @@ struct Expectation {
       sag;                        ///< m, lowest mass below the lowest pin at the end: least and most
   std::optional<double> at_rest;  ///< m/s, fastest mass at the end
   std::optional<std::array<Vec3, 2>> inside;  ///< m, corners of a box that holds every mass at the end
+  std::optional<double> limit_excess;         ///< degrees, farthest beyond a limit at the end
+  std::optional<double> penetration;          ///< m, deepest inside a collider or the ground at the end
 };
 
 }  // namespace taut

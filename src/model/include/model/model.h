@@ -6,8 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "model/colliders.h"
+#include "model/limits.h"
 #include "model/motion.h"
 #include "model/vectors.h"
+#include "model/wind.h"
 
 namespace taut {
 
@@ -18,6 +21,7 @@ struct Masses {
   std::vector<std::string> name;
   std::vector<double> mass;          ///< kg
   std::vector<double> inverse_mass;  ///< 1/kg; 0 when pinned
+  std::vector<double> radius;        ///< m, of contact; 0: a point
 
   std::size_t size() const { return mass.size(); }
   bool pinned(std::size_t i) const { return inverse_mass[i] == 0.0; }
@@ -86,6 +90,21 @@ struct Chain {
   Index link_count = 0;
 };
 
+/// A straight part of a body, drawn as a capsule. Each end is the middle of two masses, which may be one.
+struct Bone {
+  std::array<Index, 2> from{}, to{};
+  double radius = 0.0;  ///< m
+};
+
+/// Where a ragdoll's masses, links, bones and limits lie in the arrays.
+struct Ragdoll {
+  std::string name;
+  Index first_mass = 0, mass_count = 0;
+  Index first_link = 0, link_count = 0;
+  Index first_bone = 0, bone_count = 0;
+  Index first_limit = 0, limit_count = 0;
+};
+
 /// Everything about a scene's physics that never changes during a run.
 struct Model {
   Vec3 gravity{0.0, -9.81, 0.0};  ///< m/s²
@@ -94,10 +113,16 @@ struct Model {
   Links links;
   std::vector<DrivenPin> driven_pins;
   std::vector<Load> loads;
-  std::optional<Plane> plane;
+  std::optional<Plane> plane;       ///< the ground, where that is all there is to hit and masses are points
+  std::vector<Collider> colliders;  ///< all solids, the ground among them, where there is more than that
+  std::vector<ContactPoint> contacts;  ///< what touches them; none without colliders and touching bodies
+  std::vector<Limit> limits;
+  std::optional<Wind> wind;
   std::vector<Triangle> triangles;
   std::vector<Sheet> sheets;
   std::vector<Chain> chains;
+  std::vector<Ragdoll> ragdolls;
+  std::vector<Bone> bones;
   std::vector<Index> breakable_links;  ///< those with a finite break_stretch or break_tension, in file order
 };
 

@@ -11,8 +11,12 @@ namespace taut {
 /// Red, green, blue, each 0 to 1 as on a display (sRGB).
 using Colour = std::array<double, 3>;
 
-/// What links (or masses, for speed) are coloured by.
-enum class ColourBy { plain, strain, tension, speed };
+/// What links (masses for speed, joints for limit) are coloured by. limit: how near a joint is to a stop, 1
+/// at it.
+enum class ColourBy { plain, strain, tension, speed, limit };
+
+/// How masses are drawn; boxes show how each has turned.
+enum class MassShape { sphere, box };
 
 enum class Theme { light, dark };
 
@@ -26,6 +30,8 @@ struct Look {
   bool surface = false;  ///< the triangles of sheets
   bool ground = true;    ///< a plane with grid lines at ground_height
   bool shadows = true;
+  bool bones = true;      ///< bodies as capsules, in place of their masses and links
+  bool colliders = true;  ///< solids, but for planes
   Theme theme = Theme::light;
   ColourBy colour_by = ColourBy::plain;
   double colour_range =
@@ -39,6 +45,9 @@ struct Look {
   Colour surface_colour{0.55, 0.12, 0.16};
   Colour surface_back_colour{0.42, 0.10, 0.13};
   Pattern pattern = Pattern::plain;
+  MassShape mass_shape = MassShape::sphere;
+  Colour bone_colour{0.86, 0.74, 0.60};
+  Colour collider_colour{0.62, 0.64, 0.67};
 };
 
 /// Where the picture is taken from.

@@ -21,4 +21,11 @@ std::string link_table_header();
 /// whole; strain and tension are empty from then on.
 std::string link_table_rows(const Model& model, const State& state, int frame);
 
+/// First line of the table of orientations.
+std::string orientation_table_header();
+
+/// A line a mass: frame,time,mass,name,qw,qx,qy,qz; how its links have turned since the start, as a unit
+/// quaternion.
+std::string orientation_table_rows(const Model& model, const State& start, const State& state, int frame);
+
 }  // namespace taut

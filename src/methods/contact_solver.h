@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "contact_points.h"
+
+namespace taut {
+
+/// Contact of a model's contact points with its colliders, for methods that move positions and derive
+/// velocities from them.
+class ContactSolver {
+ public:
+  explicit ContactSolver(const Model& model);
+
+  /// To be called once positions of the step have been predicted, with the positions and velocities at its
+  /// start: finds what may touch in this step.
+  void begin_step(const Vectors& start, const Vectors& velocity, const Vectors& predicted);
+
+  /// One pass: pushes what has entered a solid back to its surface, and takes from its way along the surface,
+  /// counted from the start of the step, at most friction × depth: Coulomb's law for the position changes of
+  /// one step (Macklin et al., Unified Particle Physics, 2014, eq. 24).
+  void solve(Vectors& position);
+
+  /// Once velocities have been derived from positions: what has touched a solid that gives something back
+  /// leaves it with that share of the speed at which it came (Müller et al., Detailed Rigid Body Simulation
+  /// with Extended Position Based Dynamics, 2020, eq. 34); but not what gravity alone could have brought to
+  /// that speed within two steps, so that things come to rest.
+  void rebound(double h, Vectors& velocity) const;
+
+ private:
+  // A contact point and a collider.
+  struct Pair {
+    std::uint32_t point, collider;
+    bool operator==(const Pair&) const = default;
+  };
+  // Those that have touched in this step.
+  struct Touch {
+    Pair pair;
+    Vec3 normal;
+    double approach;  // m/s along the normal at the start of the step; negative: towards the solid
+  };
+
+  void touch(const Pair& pair, const Vec3& normal);
+
+  const Model& model_;
+  ContactPoints points_;
+  const Vectors* start_ = nullptr;
+  const Vectors* start_velocity_ = nullptr;
+  std::vector<Pair> near_;      // that may touch
+  std::vector<Touch> touches_;  // only of colliders that give something back
+};
+
+}  // namespace taut

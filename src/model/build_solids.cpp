@@ -1,0 +1,107 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "builder.h"
+
+namespace taut {
+namespace {
+
+HalfSpace shape_of(const PlaneSpec& spec) {
+  return {spec.point, spec.normal.normalized()};
+}
+Sphere shape_of(const SphereSpec& spec) {
+  return {spec.centre, spec.radius};
+}
+Capsule shape_of(const CapsuleSpec& spec) {
+  return {spec.from, spec.to, spec.radius};
+}
+Box shape_of(const BoxSpec& spec) {
+  return {spec.centre, 0.5 * spec.size, turned(spec.turn)};
+}
+
+template <typename Spec>
+void add_colliders(Model& model, const std::vector<Spec>& specs) {
+  for (const Spec& spec : specs) model.colliders.push_back({shape_of(spec), spec.friction, spec.restitution});
+}
+
+// Whether points on one plane that gives nothing back are all there is.
+bool plane_is_enough(const Builder& builder, const Description& description) {
+  const std::vector<double>& radius = builder.model.masses.radius;
+  return description.spheres.empty() && description.capsules.empty() && description.boxes.empty() &&
+         description.planes.size() <= 1 && builder.model.bones.empty() && !builder.any_body() &&
+         std::all_of(radius.begin(), radius.end(), [](double r) { return r == 0.0; }) &&
+         (description.planes.empty() || description.planes.front().restitution == 0.0);
+}
+
+ContactPoint ball_on(Index mass, double radius, Index body) {
+  return {{mass, mass, mass, mass}, {1.0, 0.0, 0.0, 0.0}, radius, body};
+}
+
+// Lets a mass that the point already rides on carry more, or takes up one more.
+void add_weight(ContactPoint& point, Index mass, double weight) {
+  for (std::size_t i = 0; i < point.masses.size(); ++i) {
+    const bool is_free = i > 0 && point.weights[i] == 0.0;
+    if (point.masses[i] != mass && !is_free) continue;
+    point.masses[i] = mass;
+    point.weights[i] += weight;
+    return;
+  }
+}
+
+// Balls along a bone, close enough together that an edge between two of them sinks in by a sixth of the
+// radius at most.
+void add_bone_contacts(Builder& builder, const Bone& bone, Index body) {
+  const Vectors& x = builder.start.position;
+  const Vec3 from = 0.5 * (x.at(bone.from[0]) + x.at(bone.from[1]));
+  const Vec3 to = 0.5 * (x.at(bone.to[0]) + x.at(bone.to[1]));
+  const int pieces = static_cast<int>(std::ceil((to - from).norm() / (1.1 * bone.radius)));
+  for (int i = 0; i <= pieces; ++i) {
+    const double share = pieces == 0 ? 0.0 : static_cast<double>(i) / pieces;
+    ContactPoint point = ball_on(bone.from[0], bone.radius, body);
+    point.weights[0] = 0.0;
+    for (const Index end : bone.from) add_weight(point, end, 0.5 * (1.0 - share));
+    for (const Index end : bone.to) add_weight(point, end, 0.5 * share);
+    builder.model.contacts.push_back(point);
+  }
+}
+
+// Every mass that no bone holds is a ball of its own.
+void add_contacts(Builder& builder) {
+  Model& model = builder.model;
+  std::vector<bool> in_bone(model.masses.size(), false);
+  for (const Ragdoll& ragdoll : model.ragdolls)
+    std::fill_n(in_bone.begin() + ragdoll.first_mass, ragdoll.mass_count, true);
+  for (std::size_t i = 0; i < model.masses.size(); ++i) {
+    if (in_bone[i]) continue;
+    const auto mass = static_cast<Index>(i);
+    model.contacts.push_back(ball_on(mass, model.masses.radius[i], builder.body_of_mass[i]));
+  }
+  for (std::size_t i = 0; i < model.bones.size(); ++i)
+    add_bone_contacts(builder, model.bones[i], builder.body_of_bone[i]);
+}
+
+}  // namespace
+
+Eigen::Matrix3d turned(const Vec3& degrees) {
+  const Vec3 angles = degrees * (std::numbers::pi / 180.0);
+  return (Eigen::AngleAxisd(angles.z(), Vec3::UnitZ()) * Eigen::AngleAxisd(angles.y(), Vec3::UnitY()) *
+          Eigen::AngleAxisd(angles.x(), Vec3::UnitX()))
+      .toRotationMatrix();
+}
+
+void add_solids(Builder& builder, const Description& description) {
+  if (plane_is_enough(builder, description)) {
+    if (description.planes.empty()) return;
+    const PlaneSpec& plane = description.planes.front();
+    builder.model.plane = Plane{plane.point, plane.normal.normalized(), plane.friction};
+    return;
+  }
+  add_colliders(builder.model, description.planes);
+  add_colliders(builder.model, description.spheres);
+  add_colliders(builder.model, description.capsules);
+  add_colliders(builder.model, description.boxes);
+  if (!builder.model.colliders.empty() || builder.any_body()) add_contacts(builder);
+}
+
+}  // namespace taut

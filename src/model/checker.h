@@ -1,0 +1,99 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "model/description.h"
+
+namespace taut {
+
+/// Collects what is wrong with one entry after another.
+class Checker {
+ public:
+  void enter(std::string_view section, std::size_t index) {
+    section_ = section;
+    index_ = index;
+  }
+  void require(bool holds, std::string_view key, std::string message) {
+    if (!holds) problems.push_back({section_, index_, std::string(key), std::move(message), ""});
+  }
+  void positive(double value, std::string_view key, std::string_view unit) {
+    require(std::isfinite(value) && value > 0.0, key,
+            fmt::format("{} must be above 0 {}, not {}", key, unit, value));
+  }
+  void not_negative(double value, std::string_view key, std::string_view unit) {
+    require(std::isfinite(value) && value >= 0.0, key,
+            fmt::format("{} must be 0 {} or more, not {}", key, unit, value));
+  }
+  void finite(const Vec3& value, std::string_view key) {
+    require(value.allFinite(), key, fmt::format("{} must have finite numbers", key));
+  }
+  void name(const std::string& name) {
+    require(!name.empty(), "name", "name must not be empty");
+    require(name.find_first_of(".* ") == std::string::npos, "name",
+            fmt::format("name \"{}\" must not contain a dot, a star or a space", name));
+    const auto [seen, is_new] =
+        names_.try_emplace(name, fmt::format("[[{}]] number {}", section_, index_ + 1));
+    require(is_new, "name", fmt::format("the name \"{}\" is taken by {}", name, seen->second));
+  }
+  void properties(const LinkProperties& properties, std::string_view prefix = "") {
+    const auto key = [&](std::string_view name) { return fmt::format("{}{}", prefix, name); };
+    if (properties.stiffness) positive(*properties.stiffness, key("stiffness"), "N/m");
+    not_negative(properties.damping, key("damping"), "N s/m");
+    require(properties.damping == 0.0 || properties.stiffness.has_value(), key("damping"),
+            "damping needs a stiffness: a rigid link has no speed to damp");
+    if (properties.break_stretch)
+      require(std::isfinite(*properties.break_stretch) && *properties.break_stretch > 1.0,
+              key("break_stretch"),
+              fmt::format("break_stretch must be above 1, not {}", *properties.break_stretch));
+    if (properties.break_tension) positive(*properties.break_tension, key("break_tension"), "N");
+  }
+  void motion(const MotionSpec& motion, bool pinned, std::string_view key) {
+    if (!motion.sinusoid && motion.path.empty()) return;
+    require(pinned, key, fmt::format("{} is only for a pinned mass", key));
+    require(!motion.sinusoid || motion.path.empty(), key,
+            fmt::format("{} has both an amplitude and a path; it can be only one of them", key));
+    if (motion.sinusoid) {
+      finite(motion.sinusoid->amplitude, key);
+      require(std::isfinite(motion.sinusoid->angular_frequency) && std::isfinite(motion.sinusoid->phase), key,
+              fmt::format("{} must have finite numbers", key));
+    }
+    double last = -infinity;
+    for (const Knot& knot : motion.path) {
+      require(std::isfinite(knot.time) && knot.time > last, key, fmt::format("{}: times must increase", key));
+      finite(knot.position, key);
+      last = knot.time;
+    }
+  }
+
+  std::vector<Problem> problems;
+
+ private:
+  std::string section_;
+  std::size_t index_ = 0;
+  std::unordered_map<std::string, std::string> names_;
+};
+
+/// Checks every entry of a section.
+template <typename Spec>
+void check_each(Checker& check, std::string_view section, const std::vector<Spec>& specs,
+                void (*check_one)(Checker&, const Spec&)) {
+  for (std::size_t i = 0; i < specs.size(); ++i) {
+    check.enter(section, i);
+    check_one(check, specs[i]);
+  }
+}
+
+/// Adds what is wrong with limits on angles and with ragdolls.
+void check_bodies(Checker& check, const Description& description);
+
+/// Adds what is wrong with solids and the wind.
+void check_surroundings(Checker& check, const Description& description);
+
+}  // namespace taut

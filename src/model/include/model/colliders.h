@@ -1,0 +1,62 @@
+#pragma once
+
+#include <array>
+#include <limits>
+#include <variant>
+
+#include "model/vectors.h"
+
+namespace taut {
+
+/// Everything below a plane.
+struct HalfSpace {
+  Vec3 point = Vec3::Zero();    ///< m
+  Vec3 normal = Vec3::UnitY();  ///< unit length, out of the solid
+};
+
+struct Sphere {
+  Vec3 centre = Vec3::Zero();  ///< m
+  double radius = 1.0;         ///< m
+};
+
+/// Everything within a radius of a straight line from a to b.
+struct Capsule {
+  Vec3 a = Vec3::Zero(), b = Vec3::UnitY();  ///< m
+  double radius = 1.0;                       ///< m
+};
+
+struct Box {
+  Vec3 centre = Vec3::Zero();                          ///< m
+  Vec3 half_size = Vec3::Ones();                       ///< m
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< its edges' directions as columns
+};
+
+using Shape = std::variant<HalfSpace, Sphere, Capsule, Box>;
+
+/// A solid that stays where it is and that nothing can enter.
+struct Collider {
+  Shape shape;
+  double friction = 0.5;     ///< Coulomb's coefficient
+  double restitution = 0.0;  ///< share of the speed of approach that is given back, 0 to 1
+};
+
+/// Where a solid's surface is, seen from a point.
+struct Surface {
+  double distance = 0.0;        ///< m; negative inside
+  Vec3 normal = Vec3::UnitY();  ///< unit length, out of the solid
+};
+
+/// The nearest place of a shape's surface.
+Surface nearest_surface(const Shape& shape, const Vec3& point);
+
+inline constexpr Index no_body = std::numeric_limits<Index>::max();
+
+/// A ball that rides on up to four masses and touches colliders: a mass of some size, or a place on a bone.
+struct ContactPoint {
+  std::array<Index, 4> masses{};    ///< those without weight repeat the first
+  std::array<double, 4> weights{};  ///< sum to 1
+  double radius = 0.0;              ///< m
+  Index body = no_body;             ///< touches points of other bodies; no_body: touches none
+};
+
+}  // namespace taut
