@@ -20,6 +20,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/failure.h"
 #include "body_contacts.h"
 #include "contact_solver.h"
 #include "forces.h"
@@ -262,7 +263,13 @@ constexpr std::array params{
 
 std::unique_ptr<Stepper> make(const Model& model, const Settings& settings) {
   const int passes = static_cast<int>(settings.number("passes"));
-  if (settings.choice("precision") == "single") return make_single_xpbd(model, passes);
+  if (settings.choice("precision") == "single") {
+    if (!model.limits.empty() || !model.colliders.empty() || !model.contacts.empty() || model.wind)
+      throw BadRequest(
+          "method xpbd in single precision knows no limits on angles, no solids but the ground, no touching "
+          "bodies and no wind: use precision = \"double\" for this scene");
+    return make_single_xpbd(model, passes);
+  }
   return std::make_unique<XpbdStepper>(model, passes);
 }
 

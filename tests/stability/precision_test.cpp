@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "base/failure.h"
 #include "measure/measures.h"
 #include "measure/reference.h"
 #include "physics/fixtures.h"
@@ -59,6 +60,12 @@ TEST(SinglePrecision, LosesGravityBelowItsLastPlace) {
       EXPECT_NEAR((1.5 - state.position.y[0]) / exact, 1.0, 0.5);
     }
   }
+}
+
+TEST(SinglePrecision, RefusesWhatItDoesNotModel) {
+  Built built = build_valid(level_chain(2, 0.1));
+  built.model.wind.emplace();
+  EXPECT_THROW(simulate(built.model, built.start, in_precision("single", 1e-3), 1), BadRequest);
 }
 
 }  // namespace
