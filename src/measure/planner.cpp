@@ -50,7 +50,7 @@ class Planner {
   Planner(const Model& model, const State& start, double duration)
       : model_(model), start_(start), curves_(curves_for(model).curves), times_(probe_times(duration)) {}
 
-  void look(const AccuracyTarget& target);
+  void look(ErrorKind kind, double error, std::string_view only);
   Agreement agreement(ErrorKind kind, double error) const;
   Best cheapest(const Agreement& agreement, ErrorKind kind, double error, std::string_view only) const;
   const std::vector<double>& times() const { return times_; }
@@ -119,12 +119,13 @@ void Planner::try_point(std::size_t curve, const GridPoint& point) {
 }
 
 // Levels of equal cost, as GridWalk has them.
-void Planner::look(const AccuracyTarget& target) {
+void Planner::look(ErrorKind kind, double error, std::string_view only) {
   for (int level = 0; level < most_levels; ++level) {
     for (std::size_t curve = 0; curve < curves_.size(); ++curve)
       for (int row = 0; row < (curves_[curve].relaxes ? most_rows : 1); ++row)
         if (level - 2 * row >= 0) try_point(curve, {curve, level - 2 * row, row});
-    if (agreement(target.kind, target.error).instants == times_.size()) return;
+    const Agreement found = agreement(kind, error);
+    if (found.instants == times_.size() && cheapest(found, kind, error, only).error <= safety * error) return;
   }
 }
 
@@ -209,7 +210,7 @@ Plan make_plan(const Model& model, const State& start, double duration, const Ac
   double horizon = duration;
   for (int attempt = 0; attempt < most_horizons && agreement.instants == 0; ++attempt, horizon /= 4.0) {
     planner.emplace(model, start, horizon);
-    planner->look({target.kind, wanted, false});
+    planner->look(target.kind, wanted, only);
     runs += planner->runs();
     agreement = planner->agreement(target.kind, wanted);
   }

@@ -58,9 +58,8 @@ Keys<World> world_keys() {
                  {.unit = "1/s",
                   .range = between(0, 1e6),
                   .help = "force −drag · mass · velocity, which lets a scene come to rest"}),
-      key<World>(
-          "accuracy", &World::accuracy,
-          {.unit = "of the scene's size", .range = {}, .help = "wanted, where [solve] is left out"}),
+      key<World>("accuracy", &World::accuracy,
+                 {.unit = "of the scene's size", .range = {}, .help = "wanted, where [solve] is left out"}),
   };
 }
 

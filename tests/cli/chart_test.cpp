@@ -62,13 +62,13 @@ TEST(Chart, HoldsEveryRawTimeAndWhatItWasMeasuredWith) {
   for (const Json& done : chart["cases"]) {
     if (done["diverged"]) continue;
     EXPECT_GE(done["processor_seconds"].size(), 2U);
-    EXPECT_EQ(done["seconds"],
-              *std::ranges::min_element(done["processor_seconds"].get<std::vector<double>>()));
+    const auto times = done["processor_seconds"].get<std::vector<double>>();
+    EXPECT_EQ(done["seconds"], *std::ranges::min_element(times));
     EXPECT_GT(done["link_solves"], 0);
   }
   for (const char* file : {"small-trajectory.png", "small-trajectory.svg", "small-trajectory-solves.png",
                            "small-trajectory-solves.svg", "small.csv", "chart.html"})
-    EXPECT_TRUE(std::filesystem::exists(folder / "chart" / file)) << file;
+    EXPECT_TRUE(std::filesystem::exists(folder / (std::string("chart/") + file))) << file;
 }
 
 TEST(Chart, KilledAtAnyMomentItEndsInTheSameCases) {
