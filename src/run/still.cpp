@@ -42,7 +42,7 @@ std::vector<double> strip_times(const Scene& scene, double count) {
     throw BadRequest(fmt::format("a strip has from 1 to 100 pictures, not {}", count));
   std::vector<double> times(static_cast<std::size_t>(count));
   for (std::size_t i = 1; i < times.size(); ++i)
-    times[i] = scene.duration * static_cast<double>(i) / (count - 1.0);
+    times[i] = std::min(scene.duration, scene.duration * static_cast<double>(i) / (count - 1.0));
   return times;
 }
 
