@@ -123,8 +123,8 @@ int chart(const ChartFlags& flags) {
   write_file(std::filesystem::path(flags.folder) / "which-method.md", which_method_table(charts));
   if (flags.plans) write_file(std::filesystem::path(flags.folder) / "plans.md", plan_table(verdicts));
   if (flags.json) {
-    std::vector<std::string> parts;
-    for (const Chart& done : charts) parts.push_back(chart_json(done));
+    std::vector<std::string> parts(charts.size());
+    std::ranges::transform(charts, parts.begin(), chart_json);
     fmt::print("[{}]\n", fmt::join(parts, ","));
   }
   return status;
