@@ -106,6 +106,7 @@ std::string diverged_note(const Chart& chart) {
   }
   if (by_curve.empty()) return "No run diverged.";
   std::vector<std::string> parts;
+  parts.reserve(by_curve.size());
   for (const auto& [curve, rates] : by_curve)
     parts.push_back(fmt::format("{} at {}", chart.curves[curve].name, fmt::join(rates, ", ")));
   return fmt::format("Diverged or refused (steps/s × passes): {}.", fmt::join(parts, "; "));
@@ -182,8 +183,8 @@ void write_chart(const Chart& chart, const std::filesystem::path& folder) {
 }
 
 void write_chart_page(const std::vector<Chart>& charts, const std::filesystem::path& folder) {
-  std::vector<std::string> data;
-  for (const Chart& chart : charts) data.push_back(chart_json(chart));
+  std::vector<std::string> data(charts.size());
+  std::ranges::transform(charts, data.begin(), chart_json);
   write_file(folder / "chart.html", chart_page(data));
 }
 

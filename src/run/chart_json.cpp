@@ -20,7 +20,7 @@ Json errors_to_json(const Errors& errors) {
 Json settings_to_json(const Settings& settings) {
   Json json = Json::object();
   for (const auto& [name, value] : settings.values)
-    std::visit([&](const auto& plain) { json[name] = plain; }, value);
+    std::visit([&, &key = name](const auto& plain) { json[key] = plain; }, value);
   return json;
 }
 
