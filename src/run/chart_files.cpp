@@ -112,7 +112,8 @@ std::string diverged_note(const Chart& chart) {
   return fmt::format("Diverged or refused (steps/s × passes): {}.", fmt::join(parts, "; "));
 }
 
-// The curves that finer steps bring no nearer to the truth.
+// The curves whose finer half of steps brings them hardly nearer to the truth: they do not converge, or not
+// yet.
 std::string flat_note(const Chart& chart, ErrorKind kind) {
   constexpr std::size_t enough = 6;
   constexpr double falls_at_least = 0.2;
@@ -124,9 +125,11 @@ std::string flat_note(const Chart& chart, ErrorKind kind) {
         errors.push_back(*done.run.errors[kind]);
     if (errors.size() >= enough && errors.back() > falls_at_least * errors[errors.size() / 2] &&
         errors.back() > *chart.truth.smallest[kind] && errors.back() > 1e-9)
-      flat.push_back(fmt::format("{} stays at an error of {:.2g}", chart.curves[curve].name, errors.back()));
+      flat.push_back(fmt::format("{} (error {:.2g})", chart.curves[curve].name, errors.back()));
   }
-  return flat.empty() ? "" : fmt::format("Does not converge: {}.", fmt::join(flat, "; "));
+  return flat.empty() ? ""
+                      : fmt::format("Less than 5 times nearer over the finer half of their steps: {}.",
+                                    fmt::join(flat, ", "));
 }
 
 std::string runs_note(const Chart& chart) {
