@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/failure.h"
+#include "base/split.h"
 #include "exit_status.h"
 #include "flags.h"
 #include "output/atomic_file.h"
@@ -41,7 +42,7 @@ std::vector<Instant> instants(const ExportFlags& flags, const Scene& scene) {
       result.push_back({frame, frame_time(frame, rate)});
     return result;
   }
-  for (const std::string_view part : split_list(flags.times)) {
+  for (const std::string_view part : split(flags.times, ',')) {
     const double time = parse_seconds("--times", part);
     if (time < 0.0 || (!result.empty() && time <= result.back().time))
       throw BadRequest(fmt::format("--times must rise from 0 s on, and {} s does not", time));

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "base/failure.h"
+#include "base/split.h"
 #include "exit_status.h"
 #include "flags.h"
 #include "output/gnuplot.h"
@@ -28,7 +29,7 @@ struct SagFlags {
 
 std::vector<int> parse_passes(const std::string& text) {
   std::vector<int> passes;
-  for (const std::string_view part : split_list(text)) {
+  for (const std::string_view part : split(text, ',')) {
     const double count = parse_number("--passes", part);
     if (!(count >= 1.0 && count <= most_passes) || count != static_cast<int>(count))
       throw BadRequest(fmt::format("--passes are whole numbers from 1 to {}, not {}", most_passes, part));
@@ -81,8 +82,7 @@ void add_sag(CLI::App& program, Action& action) {
   verb->add_flag("--quiet", flags->quiet, "No messages but errors");
   verb->footer(
       "Settles with verlet at 60 steps/s unless --method or --set steps_per_second=… say otherwise. --size "
-      "is "
-      "that of one panel [380x340].\n\nExample:\n  taut sag hanging-chain-two-pins -o sag");
+      "is that of one panel [380x340].\n\nExample:\n  taut sag hanging-chain-two-pins -o sag");
   verb->callback([flags, &action] { action = [flags] { return sag(*flags); }; });
 }
 

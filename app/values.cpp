@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -35,17 +34,6 @@ double parse_seconds(std::string_view flag, std::string_view text) {
   if (!value || !std::isfinite(*value))
     throw BadRequest(fmt::format("{} needs a time in seconds such as 2.5 or 2.5s, not \"{}\"", flag, text));
   return *value;
-}
-
-std::vector<std::string_view> split_list(std::string_view text) {
-  std::vector<std::string_view> parts;
-  std::size_t begin = 0;
-  while (begin <= text.size()) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    parts.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return parts;
 }
 
 Size parse_size(std::string_view flag, std::string_view text) {

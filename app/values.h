@@ -2,7 +2,6 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "base/image.h"
 
@@ -15,9 +14,6 @@ double parse_number(std::string_view flag, std::string_view text);
 
 /// A time in seconds, with or without its unit: 1, 2.5s.
 double parse_seconds(std::string_view flag, std::string_view text);
-
-/// The parts of a list between its commas.
-std::vector<std::string_view> split_list(std::string_view text);
 
 /// A size in pixels: 1280x720.
 Size parse_size(std::string_view flag, std::string_view text);

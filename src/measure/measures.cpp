@@ -43,11 +43,9 @@ Energy energy(const Model& model, const State& state) {
 }
 
 double energy_scale(const Model& model, const State& start) {
-  double mass = 0.0;
-  for (std::size_t i = 0; i < model.masses.size(); ++i)
-    if (!model.masses.pinned(i)) mass += model.masses.mass[i];
   const Energy at_start = energy(model, start);
-  return at_start.kinetic + at_start.elastic + mass * model.gravity.norm() * total_link_length(model);
+  return at_start.kinetic + at_start.elastic +
+         free_mass(model) * model.gravity.norm() * total_link_length(model);
 }
 
 double scene_size(const Model& model, const State& start) {

@@ -20,16 +20,6 @@ double end_of(const Motion& motion) {
   return path == nullptr ? infinity : path->knots.back().time;
 }
 
-// Diagonal of the box around all masses (m).
-double extent(const Vectors& position) {
-  Vec3 least = Vec3::Constant(infinity), most = Vec3::Constant(-infinity);
-  for (std::size_t i = 0; i < position.size(); ++i) {
-    least = least.cwiseMin(position.at(i));
-    most = most.cwiseMax(position.at(i));
-  }
-  return (most - least).norm();
-}
-
 // A chain that the formulas know: alone in its scene, along the arrays, every link alike and every inner mass
 // alike, gravity along −y, and all of it in a vertical plane through its pins.
 bool is_plain_chain(const Model& model) {
@@ -106,7 +96,8 @@ double last_change(const Model& model) {
   return last;
 }
 
-RestShape settle(const Model& model, const State& start, const Settings& settings, const Settling& settling) {
+RestShape settle(const Model& model, const State& start, const Settings& settings, const Settling& settling,
+                 const std::function<bool()>& stop) {
   const double from = last_change(model);
   if (from == infinity) throw BadRequest("a scene with a pin that swings for ever never comes to rest");
   Model calmed = model;
@@ -117,9 +108,10 @@ RestShape settle(const Model& model, const State& start, const Settings& setting
   RestShape shape;
   shape.state = start;
   stepper->links_changed(shape.state);
-  const double allowed = settling.most_movement * extent(start.position);
+  const double allowed = settling.most_movement * scene_size(model, start);
   const auto window = static_cast<std::int64_t>(std::max(1.0, std::round(settling.window * rate)));
   for (std::int64_t step = 0; !shape.at_rest && shape.state.time < from + settling.most_time;) {
+    if (stop && stop()) break;
     const State before = shape.state;
     for (const std::int64_t end = step + window; step < end;) {
       const StepReport report = advance(*stepper, calmed, shape.state, 1.0 / rate);
@@ -134,7 +126,8 @@ RestShape settle(const Model& model, const State& start, const Settings& setting
   return shape;
 }
 
-RestShape exact_rest_shape(const Model& model, const State& start, const Settling& settling) {
+RestShape exact_rest_shape(const Model& model, const State& start, const Settling& settling,
+                           const std::function<bool()>& stop) {
   const double late = last_change(model);
   if (is_plain_chain(model) && late < infinity) {
     State placed = start;
@@ -142,7 +135,7 @@ RestShape exact_rest_shape(const Model& model, const State& start, const Settlin
     if (!model.masses.pinned(model.masses.size() - 1)) return hang_down(model, placed);
     if (auto between = hang_between(model, placed)) return *between;
   }
-  return settle(model, start, {"newton", {}}, settling);
+  return settle(model, start, {"newton", {}}, settling, stop);
 }
 
 }  // namespace taut

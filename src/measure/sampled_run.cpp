@@ -4,13 +4,14 @@
 
 #include "measure/measures.h"
 #include "measure/run_measures.h"
+#include "measure/stability.h"
 #include "methods/registry.h"
 
 namespace taut {
 namespace {
 
 bool has_diverged(const Model& model, const State& state, double scale) {
-  return !all_finite(state) || energy(model, state).kinetic > 1e3 * scale;
+  return !all_finite(state) || energy(model, state).kinetic > divergence * scale;
 }
 
 double first_break(const Model& model, const State& state) {

@@ -92,12 +92,9 @@ double predicted_passes(double links, double ratio) {
 }
 
 double kept_velocity_gain(const Model& model, const State& start, double duration) {
-  double mass = 0.0;
-  for (std::size_t i = 0; i < model.masses.size(); ++i)
-    if (!model.masses.pinned(i)) mass += model.masses.mass[i];
   const double speed = model.gravity.norm() * duration;
   const double scale = energy_scale(model, start);
-  return scale > 0.0 ? 0.5 * mass * speed * speed / scale : 0.0;
+  return scale > 0.0 ? 0.5 * free_mass(model) * speed * speed / scale : 0.0;
 }
 
 }  // namespace taut

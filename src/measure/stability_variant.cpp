@@ -71,9 +71,7 @@ void set_mass_ratio(Model& model, double ratio) {
 
 // Springs in place of rigid links, such that the whole weight stretches one of mean length by 1 %.
 double spring_for_weight(const Model& model) {
-  double mass = 0.0;
-  for (const std::size_t i : free_masses(model)) mass += model.masses.mass[i];
-  const double weight = mass * model.gravity.norm();
+  const double weight = free_mass(model) * model.gravity.norm();
   if (!(weight > 0.0) || model.links.size() == 0) return weightless_stiffness;
   const double mean_length = total_link_length(model) / static_cast<double>(model.links.size());
   return weight / (stretch_by_weight * mean_length);

@@ -28,7 +28,6 @@ namespace taut {
 FastProjection::FastProjection(const Model& model, LinkSystem system)
     : model_(model), system_(std::move(system)), limits_(model) {
   for (const Index link : system_.links.link) {
-    damping_.push_back(model_.links.damping[link]);
     inverse_length_.push_back(1.0 / model_.links.length[link]);
     compliant_ = compliant_ || !model_.links.rigid(link);
   }
@@ -89,7 +88,7 @@ void FastProjection::prepare(const Vectors& start, double h, double answer) {
   const SystemLinks& links = system_.links;
   link_vectors(links, start, start_vector_);
   for (std::size_t i = 0; i < links.size(); ++i) {
-    const double gamma = links.compliance[i] * damping_[i] / h;
+    const double gamma = links.compliance[i] * links.damping[i] / h;
     scale_[i] = 1.0 / ((1.0 + gamma) * answer);
     diagonal_[i] = links.compliance[i] / (h * h) * scale_[i];
   }
@@ -133,7 +132,7 @@ void FastProjection::add_compliance(double h) {
     if (links.compliance[i] == 0.0) continue;
     const Vec3 moved = direction_.at(i) - start_vector_.at(i);
     const double rate = direction_.at(i).dot(moved) / (distance_[i] * h);
-    residual_[i] += links.compliance[i] * (damping_[i] * rate - multipliers_[i] / (h * h));
+    residual_[i] += links.compliance[i] * (links.damping[i] * rate - multipliers_[i] / (h * h));
   }
 }
 

@@ -8,14 +8,6 @@
 
 namespace taut {
 
-/// How many rounds of Newton's method a solve may take.
-inline constexpr int most_newton_rounds = 30;
-/// A solve that is further off than this after so many rounds wanders about until the rounds run out: halving
-/// the step at once is cheaper (on 1000 light links with a heavy tip at 60 steps/s it saves half of all
-/// rounds).
-inline constexpr int rounds_to_settle = 6;
-inline constexpr double settled_error = 0.05;
-
 /// Brings all links to their lengths by Newton's method on the multipliers alone, each round along the
 /// links' directions of that round.
 class FastProjection {
@@ -39,7 +31,6 @@ class FastProjection {
   LinkSystem system_;
   ActiveLimits limits_;
   bool compliant_ = false;              // whether any link is
-  std::vector<double> damping_;         // N s/m
   std::vector<double> inverse_length_;  // 1/m
   Vectors direction_, start_vector_;
   std::vector<double> distance_, residual_, multipliers_, diagonal_, scale_;

@@ -24,7 +24,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fast_projection.h"
 #include "solve_guard.h"
 
 namespace taut {
@@ -106,7 +105,6 @@ ImplicitNet::ImplicitNet(const Model& model, const std::vector<Index>& whole, do
   ordered.insert(ordered.end(), soft.begin(), soft.end());
   links_ = gather(model, ordered);
   for (const Index link : ordered) {
-    damping_.push_back(model.links.damping[link]);
     inverse_length_.push_back(1.0 / model.links.length[link]);
   }
   for (auto* values : {&distance_, &pull_, &along_, &across_}) values->resize(ordered.size());
@@ -157,7 +155,7 @@ void ImplicitNet::prepare(const Vectors& start, double h, const std::vector<doub
   for (const Index mass : free_) mass_[mass] = model_.masses.mass[mass] * (1.0 + h * model_.drag);
   for (std::size_t i = 0; i < hard_; ++i) {
     pull_[i] = tension[links_.link[i]] * h * h;
-    scale_[i] = 1.0 / (1.0 + links_.compliance[i] * damping_[i] / h);
+    scale_[i] = 1.0 / (1.0 + links_.compliance[i] * links_.damping[i] / h);
     diagonal_[i] = links_.compliance[i] / (h * h) * scale_[i];
   }
 }
@@ -171,11 +169,11 @@ void ImplicitNet::measure(const Vectors& position, double h) {
     const Vec3 n = d / distance_[i];
     direction_.set(i, n);
     const double stretch = distance_[i] - links_.length[i];
-    const double rate = damping_[i] > 0.0 ? n.dot(d - start_vector_.at(i)) / h : 0.0;
+    const double rate = links_.damping[i] > 0.0 ? n.dot(d - start_vector_.at(i)) / h : 0.0;
     if (i >= hard_)
-      pull_[i] = h * h * (stretch / links_.compliance[i] + damping_[i] * rate);
+      pull_[i] = h * h * (stretch / links_.compliance[i] + links_.damping[i] * rate);
     else
-      length_error_[i] = stretch + links_.compliance[i] * (damping_[i] * rate - pull_[i] / (h * h));
+      length_error_[i] = stretch + links_.compliance[i] * (links_.damping[i] * rate - pull_[i] / (h * h));
   }
   imbalance_ = position;
   add(imbalance_, -1.0, inertial_);

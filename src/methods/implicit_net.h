@@ -43,14 +43,14 @@ class ImplicitNet {
   double inertia_square(const Vectors& change) const;
 
   const Model& model_;
-  SystemLinks links_;            // hard ones in the order of their matrix, then soft ones
-  std::size_t hard_ = 0;         // how many of them are hard
-  LinkSystem preconditioner_;    // the hard links, between masses of inertia_
-  std::vector<Index> free_;      // masses that are not pinned
-  std::vector<double> inertia_;  // kg, one a mass: its own and that of its soft links; 0 for pins
-  std::vector<double> mass_;     // kg, one a mass, with drag's part
-  std::vector<double> damping_, inverse_length_;  // N s/m, 1/m
-  double tolerance_ = 0.0;                        // of length errors, relative
+  SystemLinks links_;                   // hard ones in the order of their matrix, then soft ones
+  std::size_t hard_ = 0;                // how many of them are hard
+  LinkSystem preconditioner_;           // the hard links, between masses of inertia_
+  std::vector<Index> free_;             // masses that are not pinned
+  std::vector<double> inertia_;         // kg, one a mass: its own and that of its soft links; 0 for pins
+  std::vector<double> mass_;            // kg, one a mass, with drag's part
+  std::vector<double> inverse_length_;  // 1/m
+  double tolerance_ = 0.0;              // of length errors, relative
 
   Vectors inertial_, start_vector_;
   // At the present round's positions, one a link: unit vector, length now, pull × h² (kg m).

@@ -17,6 +17,7 @@ SystemLinks gather(const Model& model, std::span<const Index> links) {
     gathered.weight_b.push_back(model.masses.inverse_mass[b]);
     gathered.length.push_back(model.links.length[link]);
     gathered.compliance.push_back(model.links.compliance(link));
+    gathered.damping.push_back(model.links.damping[link]);
   }
   return gathered;
 }

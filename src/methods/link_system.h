@@ -16,6 +16,7 @@ struct SystemLinks {
   std::vector<double> weight_a, weight_b;  ///< inverse masses, 1/kg; 0 for pins
   std::vector<double> length;              ///< m
   std::vector<double> compliance;          ///< m/N; 0 = rigid
+  std::vector<double> damping;             ///< N s/m
 
   std::size_t size() const { return link.size(); }
 };

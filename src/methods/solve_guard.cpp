@@ -16,9 +16,8 @@ double length_tolerance(const SystemLinks& links, const Vectors& position) {
   return std::max(1e-12, 16.0 * std::numeric_limits<double>::epsilon() * farthest / shortest);
 }
 
-EnergyWatch::EnergyWatch(const Model& model) : model_(model), driven_(model.masses.size(), false) {
-  for (std::size_t i = 0; i < model.masses.size(); ++i)
-    if (!model.masses.pinned(i)) mass_ += model.masses.mass[i];
+EnergyWatch::EnergyWatch(const Model& model)
+    : model_(model), mass_(free_mass(model)), driven_(model.masses.size(), false) {
   double force = mass_ * model.gravity.norm();
   for (const Load& load : model.loads) force += load.force.norm() * static_cast<double>(load.masses.size());
   force_scale_ = force * total_link_length(model);

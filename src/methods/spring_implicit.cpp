@@ -120,7 +120,7 @@ class SpringImplicitStepper final : public Stepper {
     const double distance = d.norm();
     // Without a direction to pull in, a block of zeros: the pattern must stay the one that was analysed.
     const Vec3 n = distance == 0.0 ? Vec3(Vec3::Zero()) : Vec3(d / distance);
-    const double k = springs_.stiffness[i], c = springs_.damping[i];
+    const double k = springs_.stiffness[i], c = springs_.links.damping[i];
     const Vec3 moved = d - (start.at(a) - start.at(b));
     const Vec3 pull = n * (k * (distance - springs_.links.length[i]) + c * n.dot(moved) / h);
     const Matrix3 along = n * n.transpose();

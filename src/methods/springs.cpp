@@ -10,10 +10,9 @@ Springs gather_springs(const Model& model, const State& state) {
   std::vector<Index> soft;
   for (const Index link : solvable_links(model))
     if (!model.links.rigid(link) && !state.broken(link)) soft.push_back(link);
-  Springs springs{gather(model, soft), {}, {}};
+  Springs springs{gather(model, soft), {}};
   for (const Index link : soft) {
     springs.stiffness.push_back(model.links.stiffness[link]);
-    springs.damping.push_back(model.links.damping[link]);
   }
   return springs;
 }
@@ -30,7 +29,7 @@ void evaluate(const Springs& springs, const Vectors& position, const Vectors& ve
     direction.set(i, distance > 0.0 ? Vec3(direction.at(i) / distance) : Vec3::Zero());
     const Vec3 speed = velocity.at(springs.links.a[i]) - velocity.at(springs.links.b[i]);
     tension[i] = springs.stiffness[i] * (distance - springs.links.length[i]) +
-                 springs.damping[i] * direction.at(i).dot(speed);
+                 springs.links.damping[i] * direction.at(i).dot(speed);
   }
 }
 

@@ -10,7 +10,6 @@ namespace taut {
 struct Springs {
   SystemLinks links;
   std::vector<double> stiffness;  ///< N/m
-  std::vector<double> damping;    ///< N s/m
 
   bool empty() const { return links.size() == 0; }
 };

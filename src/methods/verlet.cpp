@@ -13,10 +13,8 @@
 #include <cmath>
 #include <utility>
 
-#include "body_contacts.h"
-#include "contact_solver.h"
+#include "beside_links.h"
 #include "forces.h"
-#include "limit_solver.h"
 #include "link_order.h"
 #include "methods/method.h"
 #include "parameters.h"
@@ -26,8 +24,7 @@ namespace {
 
 class VerletStepper final : public Stepper {
  public:
-  VerletStepper(const Model& model, int passes)
-      : model_(model), passes_(passes), limits_(model), bodies_(model), contacts_(model) {}
+  VerletStepper(const Model& model, int passes) : model_(model), passes_(passes), beside_(model) {}
 
   void links_changed(const State& state) override { order_ = coloured_order(model_, state); }
 
@@ -39,21 +36,16 @@ class VerletStepper final : public Stepper {
     if (model_.wind) blow(*model_.wind, model_, state, end_time, h, velocity_);
     drift(h, start_, velocity_, state.position);
     place_pins(model_, end_time, state.position, velocity_);
-    limits_.begin_step();
-    bodies_.begin_step(start_, state.position);
-    contacts_.begin_step(start_, state.velocity, state.position);
+    beside_.begin_step(start_, state.velocity, state.position);
     for (int pass = 0; pass < passes_; ++pass) {
       relax(state.position);
-      limits_.solve(state.position, h, 1.0);
-      bodies_.solve(state.position);
-      contacts_.solve(state.position);
-      if (model_.plane) keep_out_of_plane(*model_.plane, model_.masses, start_, state.position);
+      beside_.solve(h, 1.0, state.position);
     }
     StepReport report;
     report.rounds = passes_;
-    report.link_solves = (static_cast<std::int64_t>(order_.links.size()) + limits_.size()) * passes_;
+    report.link_solves = (static_cast<std::int64_t>(order_.links.size()) + beside_.size()) * passes_;
     difference_quotient(h, start_, state.position, velocity_);
-    contacts_.rebound(h, velocity_);
+    beside_.rebound(h, velocity_);
     kick(model_, end_time, 0.5 * h, velocity_, velocity_);
     place_pins(model_, end_time, state.position, velocity_);
     std::swap(state.velocity, velocity_);
@@ -84,9 +76,7 @@ class VerletStepper final : public Stepper {
 
   const Model& model_;
   int passes_;
-  LimitSolver limits_;
-  BodyContacts bodies_;
-  ContactSolver contacts_;
+  BesideLinks beside_;
   OrderedLinks order_;
   Vectors start_, velocity_;
 };

@@ -21,10 +21,8 @@
 #include <vector>
 
 #include "base/failure.h"
-#include "body_contacts.h"
-#include "contact_solver.h"
+#include "beside_links.h"
 #include "forces.h"
-#include "limit_solver.h"
 #include "link_order.h"
 #include "methods/method.h"
 #include "model/parts.h"
@@ -72,9 +70,7 @@ class XpbdStepper final : public Stepper {
   XpbdStepper(const Model& model, int passes)
       : model_(model),
         passes_(passes),
-        limits_(model),
-        bodies_(model),
-        contacts_(model),
+        beside_(model),
         equal_weight_(common_weight(model)),
         equal_inverse_weight_(0.5 / equal_weight_) {}
 
@@ -123,21 +119,16 @@ class XpbdStepper final : public Stepper {
     drift(h, start_, velocity_, state.position);
     place_pins(model_, end_time, state.position, velocity_);
     multipliers_.assign(links_.size(), 0.0);
-    limits_.begin_step();
-    bodies_.begin_step(start_, state.position);
-    contacts_.begin_step(start_, state.velocity, state.position);
+    beside_.begin_step(start_, state.velocity, state.position);
     for (int pass = 0; pass < passes_; ++pass) {
       solve_all(state.position, h);
-      limits_.solve(state.position, h, 1.0 / (1.0 + h * model_.drag));
-      bodies_.solve(state.position);
-      contacts_.solve(state.position);
-      if (model_.plane) keep_out_of_plane(*model_.plane, model_.masses, start_, state.position);
+      beside_.solve(h, 1.0 / (1.0 + h * model_.drag), state.position);
     }
     StepReport report;
     report.rounds = passes_;
-    report.link_solves = (static_cast<std::int64_t>(links_.size()) + limits_.size()) * passes_;
+    report.link_solves = (static_cast<std::int64_t>(links_.size()) + beside_.size()) * passes_;
     difference_quotient(h, start_, state.position, velocity_);
-    contacts_.rebound(h, velocity_);
+    beside_.rebound(h, velocity_);
     place_pins(model_, end_time, state.position, velocity_);
     std::swap(state.velocity, velocity_);
     state.time = end_time;
@@ -239,9 +230,7 @@ class XpbdStepper final : public Stepper {
 
   const Model& model_;
   int passes_;
-  LimitSolver limits_;
-  BodyContacts bodies_;
-  ContactSolver contacts_;
+  BesideLinks beside_;
   double equal_weight_, equal_inverse_weight_;  // w of all free masses, 1/(2 w); −1 where they differ
   std::vector<PlainLink> plain_;                // colour by colour
   std::vector<WeightedLink> weighted_;          // the rest of each colour: at pins, or where masses differ

@@ -69,9 +69,7 @@ void add_bone_contacts(Builder& builder, const Bone& bone, Index body) {
 // Every mass that no bone holds is a ball of its own.
 void add_contacts(Builder& builder) {
   Model& model = builder.model;
-  std::vector<bool> in_bone(model.masses.size(), false);
-  for (const Ragdoll& ragdoll : model.ragdolls)
-    std::fill_n(in_bone.begin() + ragdoll.first_mass, ragdoll.mass_count, true);
+  const std::vector<bool> in_bone = in_ragdoll(model);
   for (std::size_t i = 0; i < model.masses.size(); ++i) {
     if (in_bone[i]) continue;
     const auto mass = static_cast<Index>(i);

@@ -1,11 +1,27 @@
 #include "model/model.h"
 
+#include <algorithm>
+
 namespace taut {
 
 double total_link_length(const Model& model) {
   double sum = 0.0;
   for (const double length : model.links.length) sum += length;
   return sum;
+}
+
+double free_mass(const Model& model) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < model.masses.size(); ++i)
+    if (!model.masses.pinned(i)) sum += model.masses.mass[i];
+  return sum;
+}
+
+std::vector<bool> in_ragdoll(const Model& model) {
+  std::vector<bool> inside(model.masses.size(), false);
+  for (const Ragdoll& ragdoll : model.ragdolls)
+    std::fill_n(inside.begin() + ragdoll.first_mass, ragdoll.mass_count, true);
+  return inside;
 }
 
 std::vector<Index> solvable_links(const Model& model) {

@@ -21,18 +21,6 @@ constexpr std::array solid_attributes{Attribute{3, GL_FLOAT, offsetof(SolidVerte
                                       Attribute{3, GL_FLOAT, offsetof(SolidVertex, normal)},
                                       Attribute{4, GL_UNSIGNED_BYTE, offsetof(SolidVertex, colour)}};
 
-// Replaces a mesh's vertices and indices; gives the number of indices.
-template <typename Mesh>
-GLsizei upload_mesh(const Gl& gl, VertexStream& stream, const GlObject& index_buffer, const Mesh& mesh) {
-  stream.upload(std::span(mesh.vertices));
-  stream.bind();
-  gl.bind_buffer(GL_ELEMENT_ARRAY_BUFFER, index_buffer.name());
-  const auto bytes = std::as_bytes(std::span(mesh.indices));
-  gl.buffer_data(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes.size()), bytes.data(),
-                 GL_STREAM_DRAW);
-  return static_cast<GLsizei>(mesh.indices.size());
-}
-
 void set_colour(const Program& program, const char* uniform, const Colour& colour) {
   program.set(uniform, static_cast<float>(colour[0]), static_cast<float>(colour[1]),
               static_cast<float>(colour[2]));
@@ -40,68 +28,61 @@ void set_colour(const Program& program, const char* uniform, const Colour& colou
 
 }  // namespace
 
-SpherePainter::SpherePainter(const Gl& gl, const ShaderLibrary& library)
+InstancePainter::InstancePainter(const Gl& gl, const ShaderLibrary& library, const PainterShaders& shaders,
+                                 std::size_t record_size, std::span<const Attribute> attributes)
     : gl_(&gl),
-      colour_(gl, library, "sphere.vert", "sphere.frag"),
-      shadow_(gl, library, "sphere.vert", "sphere_shadow.frag"),
-      stream_(gl, sizeof(SphereRecord), sphere_attributes, 1) {}
+      colour_(gl, library, shaders.vertex, shaders.colour),
+      shadow_(gl, library, shaders.vertex, shaders.shadow),
+      stream_(gl, record_size, attributes, 1) {}
 
-void SpherePainter::draw_with(const Program& program) const {
+void InstancePainter::draw_with(const Program& program) const {
   program.use();
   stream_.bind();
   gl_->draw_arrays_instanced(GL_TRIANGLE_STRIP, 0, 4, stream_.count());
 }
 
-LinkPainter::LinkPainter(const Gl& gl, const ShaderLibrary& library)
-    : gl_(&gl),
-      colour_(gl, library, "link.vert", "link.frag"),
-      shadow_(gl, library, "link.vert", "nothing.frag"),
-      stream_(gl, sizeof(LinkRecord), link_attributes, 1) {}
+SpherePainter::SpherePainter(const Gl& gl, const ShaderLibrary& library)
+    : InstancePainter(gl, library, {"sphere.vert", "sphere.frag", "sphere_shadow.frag"}, sizeof(SphereRecord),
+                      sphere_attributes) {}
 
-void LinkPainter::draw_with(const Program& program) const {
+LinkPainter::LinkPainter(const Gl& gl, const ShaderLibrary& library)
+    : InstancePainter(gl, library, {"link.vert", "link.frag", "nothing.frag"}, sizeof(LinkRecord),
+                      link_attributes) {}
+
+MeshPainter::MeshPainter(const Gl& gl, const ShaderLibrary& library, const PainterShaders& shaders,
+                         std::size_t vertex_size, std::span<const Attribute> attributes)
+    : gl_(&gl),
+      colour_(gl, library, shaders.vertex, shaders.colour),
+      shadow_(gl, library, shaders.vertex, shaders.shadow),
+      stream_(gl, vertex_size, attributes, 0),
+      index_buffer_(make_buffer(gl)) {}
+
+void MeshPainter::upload_indices(std::span<const Index> indices) {
+  stream_.bind();
+  gl_->bind_buffer(GL_ELEMENT_ARRAY_BUFFER, index_buffer_.name());
+  gl_->buffer_data(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size_bytes()), indices.data(),
+                   GL_STREAM_DRAW);
+  index_count_ = static_cast<GLsizei>(indices.size());
+}
+
+void MeshPainter::draw_with(const Program& program) const {
   program.use();
   stream_.bind();
-  gl_->draw_arrays_instanced(GL_TRIANGLE_STRIP, 0, 4, stream_.count());
+  gl_->draw_elements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
 }
 
 SurfacePainter::SurfacePainter(const Gl& gl, const ShaderLibrary& library, const Look& look)
-    : gl_(&gl),
-      colour_(gl, library, "surface.vert", "surface.frag"),
-      shadow_(gl, library, "surface.vert", "nothing.frag"),
-      stream_(gl, sizeof(SurfaceVertex), surface_attributes, 0),
-      index_buffer_(make_buffer(gl)) {
-  colour_.use();
-  set_colour(colour_, "front_colour", look.surface_colour);
-  set_colour(colour_, "back_colour", look.surface_back_colour);
-  colour_.set("pattern", static_cast<int>(look.pattern));
-}
-
-void SurfacePainter::upload(const SurfaceMesh& mesh) {
-  index_count_ = upload_mesh(*gl_, stream_, index_buffer_, mesh);
-}
-
-void SurfacePainter::draw_with(const Program& program) const {
-  program.use();
-  stream_.bind();
-  gl_->draw_elements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
+    : MeshPainter(gl, library, {"surface.vert", "surface.frag", "nothing.frag"}, sizeof(SurfaceVertex),
+                  surface_attributes) {
+  colour().use();
+  set_colour(colour(), "front_colour", look.surface_colour);
+  set_colour(colour(), "back_colour", look.surface_back_colour);
+  colour().set("pattern", static_cast<int>(look.pattern));
 }
 
 SolidPainter::SolidPainter(const Gl& gl, const ShaderLibrary& library)
-    : gl_(&gl),
-      colour_(gl, library, "solid.vert", "solid.frag"),
-      shadow_(gl, library, "solid.vert", "nothing.frag"),
-      stream_(gl, sizeof(SolidVertex), solid_attributes, 0),
-      index_buffer_(make_buffer(gl)) {}
-
-void SolidPainter::upload(const SolidMesh& mesh) {
-  index_count_ = upload_mesh(*gl_, stream_, index_buffer_, mesh);
-}
-
-void SolidPainter::draw_with(const Program& program) const {
-  program.use();
-  stream_.bind();
-  gl_->draw_elements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
-}
+    : MeshPainter(gl, library, {"solid.vert", "solid.frag", "nothing.frag"}, sizeof(SolidVertex),
+                  solid_attributes) {}
 
 BackdropPainter::BackdropPainter(const Gl& gl, const ShaderLibrary& library)
     : gl_(&gl),

@@ -139,11 +139,4 @@ Bounds with_mesh(Bounds bounds, const SolidMesh& mesh) {
   return bounds;
 }
 
-std::vector<bool> in_ragdoll(const Model& model) {
-  std::vector<bool> inside(model.masses.size(), false);
-  for (const Ragdoll& ragdoll : model.ragdolls)
-    std::fill_n(inside.begin() + ragdoll.first_mass, ragdoll.mass_count, true);
-  return inside;
-}
-
 }  // namespace taut

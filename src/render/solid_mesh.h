@@ -43,7 +43,4 @@ void add_mass_boxes(SolidMesh& mesh, const Model& model, const State& start, con
 /// Widens bounds so that they hold the mesh.
 Bounds with_mesh(Bounds bounds, const SolidMesh& mesh);
 
-/// Whether each mass belongs to a ragdoll.
-std::vector<bool> in_ragdoll(const Model& model);
-
 }  // namespace taut

@@ -3,19 +3,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "errors_json.h"
 #include "run/chart_files.h"
 
 namespace taut {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json errors_to_json(const Errors& errors) {
-  Json json = Json::object();
-  for (const ErrorKind kind : all_error_kinds)
-    if (errors[kind]) json[std::string(name_of(kind))] = *errors[kind];
-  return json;
-}
 
 Json settings_to_json(const Settings& settings) {
   Json json = Json::object();
@@ -71,10 +65,7 @@ ChartCase case_from_json(const std::string& text, const GridPoint& point) {
   }
   json.at("diverged").get_to(done.run.diverged);
   json.at("trouble").get_to(done.run.trouble);
-  for (const ErrorKind kind : all_error_kinds)
-    if (const auto found = json.at("errors").find(std::string(name_of(kind)));
-        found != json.at("errors").end())
-      done.run.errors[kind] = found->get<double>();
+  done.run.errors = errors_from_json(json.at("errors"));
   json.at("link_solves").get_to(done.run.counts.link_solves);
   json.at("rounds").get_to(done.run.counts.rounds);
   json.at("factorisations").get_to(done.run.counts.factorisations);

@@ -1,20 +1,17 @@
 #include "run/reference_cache.h"
 
 #include <cstdlib>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <optional>
 
-#include "base/failure.h"
 #include "base/hash.h"
+#include "json_cache.h"
 #include "methods/registry.h"
-#include "output/atomic_file.h"
 #include "run/build_info.h"
 
 namespace taut {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 std::string key_of(const Scene& scene, const std::vector<double>& times, double accuracy) {
   Hash hash;
@@ -65,17 +62,6 @@ Reference from_json(const Json& json, const State& start) {
   return reference;
 }
 
-// What the file holds; nothing where there is none or it is damaged.
-std::optional<Reference> read(const std::filesystem::path& file, const State& start) {
-  std::ifstream stream(file);
-  if (!stream) return std::nullopt;
-  try {
-    return from_json(Json::parse(stream), start);
-  } catch (const Json::exception&) {
-    return std::nullopt;
-  }
-}
-
 }  // namespace
 
 std::string physics_toml(const Scene& scene) {
@@ -98,16 +84,10 @@ std::filesystem::path reference_folder() {
 
 Reference cached_reference(const Scene& scene, const std::vector<double>& times, double accuracy,
                            const std::filesystem::path& folder) {
-  const std::filesystem::path file = folder / (key_of(scene, times, accuracy) + ".json");
-  if (std::optional<Reference> known = read(file, scene.start)) return *std::move(known);
-  Reference reference = make_reference(scene.model, scene.start, times, accuracy);
-  try {
-    make_folder(folder);
-    write_file(file, to_json(reference).dump());
-  } catch (const RunFailure&) {
-    // A cache that can't be written is no reason to withhold what was worked out.
-  }
-  return reference;
+  return cached(
+      folder / (key_of(scene, times, accuracy) + ".json"),
+      [&] { return make_reference(scene.model, scene.start, times, accuracy); }, to_json,
+      [&](const Json& json) { return from_json(json, scene.start); });
 }
 
 }  // namespace taut

@@ -47,14 +47,14 @@ std::optional<SagStudy> study_sag(const Scene& scene, const std::vector<int>& pa
   SagStudy study;
   study.settings = scene.settings;
   if (euler) study.settings.values["velocities"] = "derived";
-  study.exact = exact_rest_shape(scene.model, scene.start, settling);
+  study.exact = exact_rest_shape(scene.model, scene.start, settling, stop);
   study.exact_sag = sag(scene.model, study.exact.state);
   for (const int count : passes) {
-    if (stop && stop()) return std::nullopt;
     Settings settings = study.settings;
     settings.values["passes"] = static_cast<double>(count);
     study.entries.push_back(
-        compare(scene, study, count, settle(scene.model, scene.start, settings, settling)));
+        compare(scene, study, count, settle(scene.model, scene.start, settings, settling, stop)));
+    if (stop && stop()) return std::nullopt;
     done(static_cast<int>(study.entries.size()));
   }
   if (euler) study.entries.push_back(growing_entry(scene, study, passes.back()));

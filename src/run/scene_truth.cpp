@@ -4,16 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "base/failure.h"
 #include "base/hash.h"
+#include "errors_json.h"
+#include "json_cache.h"
 #include "measure/agreement.h"
 #include "measure/measures.h"
-#include "output/atomic_file.h"
 #include "run/build_info.h"
 
 namespace taut {
@@ -54,13 +53,6 @@ Reference longest_reference(const Scene& scene, double horizon, const std::files
   return best;
 }
 
-Json errors_to_json(const Errors& errors) {
-  Json json = Json::object();
-  for (const ErrorKind kind : all_error_kinds)
-    if (errors[kind]) json[std::string(name_of(kind))] = *errors[kind];
-  return json;
-}
-
 Json to_json(const Truth& truth) {
   return {{"times", truth.times},
           {"sag", truth.sag},
@@ -79,10 +71,7 @@ Truth from_json(const Json& json) {
   json.at("strain").get_to(truth.strain);
   json.at("how").get_to(truth.how);
   json.at("remark").get_to(truth.remark);
-  for (const ErrorKind kind : all_error_kinds)
-    if (const auto found = json.at("smallest").find(std::string(name_of(kind)));
-        found != json.at("smallest").end())
-      truth.smallest[kind] = found->get<double>();
+  truth.smallest = errors_from_json(json.at("smallest"));
   return truth;
 }
 
@@ -92,20 +81,10 @@ Truth cached_agreement(const Scene& scene, double horizon, double most_seconds, 
   const std::array numbers{horizon, most_seconds};
   const std::string key =
       Hash().add(physics_toml(scene)).add(build_info()).add(why).add(std::span<const double>(numbers)).hex();
-  const std::filesystem::path file = folder / (key + ".agreement.json");
-  try {
-    if (std::ifstream stream(file); stream) return from_json(Json::parse(stream));
-  } catch (const Json::exception&) {
-    // A damaged file is made anew.
-  }
-  const Truth truth = truth_by_agreement(scene.model, scene.start, horizon, most_seconds, why);
-  try {
-    make_folder(folder);
-    write_file(file, to_json(truth).dump());
-  } catch (const RunFailure&) {
-    // A cache that can't be written is no reason to withhold what was worked out.
-  }
-  return truth;
+  return cached(
+      folder / (key + ".agreement.json"),
+      [&] { return truth_by_agreement(scene.model, scene.start, horizon, most_seconds, why); }, to_json,
+      from_json);
 }
 
 }  // namespace

@@ -67,14 +67,10 @@ void Simulation::step() {
 // A run that has gone off tells so long before its numbers overflow. Only energy of motion counts: links that
 // a few passes leave stretched hold a lot of elastic energy while nothing is amiss.
 void Simulation::look_at_energy() const {
-  double fastest_pin = 0.0, mass = 0.0;
-  for (std::size_t i = 0; i < scene_.model.masses.size(); ++i) {
-    if (scene_.model.masses.pinned(i))
-      fastest_pin = std::max(fastest_pin, state_.velocity.at(i).squaredNorm());
-    else
-      mass += scene_.model.masses.mass[i];
-  }
-  const double scale = energy_scale_ + mass * fastest_pin + std::max(0.0, ledger_.loads());
+  double fastest_pin = 0.0;  // m²/s²
+  for (const DrivenPin& pin : scene_.model.driven_pins)
+    fastest_pin = std::max(fastest_pin, state_.velocity.at(pin.mass).squaredNorm());
+  const double scale = energy_scale_ + free_mass(scene_.model) * fastest_pin + std::max(0.0, ledger_.loads());
   const double times = energy(scene_.model, state_).kinetic / scale;
   if (!(scale > 0.0) || !(times > divergence)) return;
   throw RunFailure(fmt::format(

@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "base/hash.h"
+#include "base/split.h"
 #include "map_column_json.h"
 #include "methods/registry.h"
 #include "run/build_info.h"
@@ -185,18 +186,13 @@ StabilityMaps gather(const StabilityRequest& request, const CaseStore& store) {
 }  // namespace
 
 MapMethod parse_map_method(const std::string& text) {
-  std::vector<std::string> parts;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(':', begin), text.size());
-    parts.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  MapMethod method{text, {parts.front(), {}}};
+  const std::vector<std::string_view> parts = split(text, ':');
+  MapMethod method{text, {std::string(parts.front()), {}}};
   complete_settings(method.settings);
   for (std::size_t i = 1; i < parts.size(); ++i) {
     const std::size_t equals = parts[i].find('=');
-    const std::string name = parts[i].substr(0, equals);
-    const std::string value = equals == std::string::npos ? "" : parts[i].substr(equals + 1);
+    const std::string name(parts[i].substr(0, equals));
+    const std::string value(equals == std::string_view::npos ? "" : parts[i].substr(equals + 1));
     double number = 0.0;
     const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
     if (error == std::errc() && end == value.data() + value.size())

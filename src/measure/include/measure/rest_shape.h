@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "methods/method.h"
@@ -13,7 +14,7 @@ struct Settling {
   double least_drag = 2.0;      ///< 1/s, what a scene with less is given
   double most_time = 60.0;      ///< s
   double window = 0.5;          ///< s over which motion is looked at
-  double most_movement = 1e-6;  ///< of the scene's extent at the start, what no mass may move by in a window
+  double most_movement = 1e-6;  ///< of the scene's size (scene_size()), what no mass may move by in a window
 };
 
 /// Where a scene has come to rest.
@@ -29,13 +30,15 @@ struct RestShape {
 double last_change(const Model& model);
 
 /// Simulates from a start, with at least the settling's drag, until no mass moves any more after the last
-/// change. Throws BadRequest where something never stops changing, RunFailure, in words, where a step can't
-/// be solved.
-RestShape settle(const Model& model, const State& start, const Settings& settings, const Settling& settling);
+/// change, or until told to stop: then it is not at rest. Throws BadRequest where something never stops
+/// changing, RunFailure, in words, where a step can't be solved.
+RestShape settle(const Model& model, const State& start, const Settings& settings, const Settling& settling,
+                 const std::function<bool()>& stop = {});
 
 /// The rest shape without a method's error: by the balance of forces where the scene is one chain of equal
 /// masses and links in a vertical plane, pinned at one end or both (exact.h); elsewhere by settling with
 /// newton, whose rest shape is the balance of forces at any step.
-RestShape exact_rest_shape(const Model& model, const State& start, const Settling& settling);
+RestShape exact_rest_shape(const Model& model, const State& start, const Settling& settling,
+                           const std::function<bool()>& stop = {});
 
 }  // namespace taut

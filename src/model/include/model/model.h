@@ -129,6 +129,12 @@ struct Model {
 /// Sum of the lengths of all links (m): the size that relative accuracies refer to.
 double total_link_length(const Model& model);
 
+/// Sum of the masses that are not pinned (kg).
+double free_mass(const Model& model);
+
+/// Whether each mass belongs to a ragdoll.
+std::vector<bool> in_ragdoll(const Model& model);
+
 /// The links that a method solves: every one that has at least one free end.
 std::vector<Index> solvable_links(const Model& model);
 
