@@ -6,6 +6,7 @@
 
 #include "base/diagnostic.h"
 #include "base/failure.h"
+#include "run/scene_plan.h"
 
 namespace taut {
 
@@ -24,7 +25,7 @@ std::optional<Plan> settle_method(Scene& scene, const std::string& accuracy, con
     throw BadRequest(
         fmt::format("--accuracy is such as 1%, trajectory=1mm, strain=1e-3, energy=0.1% or sag=0.5%, not {}",
                     in_quotes(text)));
-  Plan plan = make_plan(scene.model, scene.start, scene.duration, *target, method);
+  Plan plan = plan_scene(scene, *target, method);
   scene.settings = plan.settings;
   scene.solve_given = true;
   if (!quiet) fmt::print(stderr, "taut: for {} in {}: {}\n", text, scene.name, plan.why);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "base/failure.h"
 #include "measure/cost.h"
@@ -16,168 +15,236 @@
 namespace taut {
 namespace {
 
-// The end of a run in three numbers.
-struct End {
-  double sag = 0.0;     // m
-  double energy = 0.0;  // J
-  double strain = 0.0;  // the largest
-};
-
-// The ends of a method's two finest runs, the finer at `rate` steps per second.
-struct Opinion {
-  std::string name;
-  std::size_t method = 0;
-  double rate = 0.0;
-  End coarse, fine;
-  State end;  // of the finer run
-};
-
-struct Sizes {
-  double place, energy;  // m, J
-};
-
-// How far two ends are apart, each number by its size.
-Errors difference(const End& a, const End& b, const Sizes& sizes) {
-  Errors errors;
-  errors[ErrorKind::sag] = std::abs(a.sag - b.sag) / sizes.place;
-  errors[ErrorKind::energy] = std::abs(a.energy - b.energy) / sizes.energy;
-  errors[ErrorKind::strain] = std::abs(a.strain - b.strain);
-  return errors;
+// Whether halving the step no longer changes anything worth looking at.
+bool settled(const Opinion& opinion, const Model& model, const State& start) {
+  constexpr double bound = 1e-6;  // of the scene's size
+  if (opinion.coarse.empty()) return false;
+  return position_error(opinion.coarse.back(), opinion.fine.back()) <= bound * scene_size(model, start);
 }
 
-constexpr std::array end_kinds{ErrorKind::sag, ErrorKind::energy, ErrorKind::strain};
-
-// What one step costs at least (s), counted from nothing.
-double least_work(const Model& model, const Curve& curve) {
-  StepReport step;
-  step.link_solves = static_cast<std::int64_t>(model.links.size());
-  step.factorisations = curve.relaxes ? 0 : 1;
-  return predicted_seconds(model, step, 1.0);
-}
-
-std::optional<Opinion> opinion_of(const Model& model, const State& start, const Curve& curve, double horizon,
-                                  double most_seconds) {
-  std::optional<Opinion> opinion;
-  std::optional<End> coarse;
+std::optional<Opinion> opinion_of(const Model& model, const State& start, const Curve& curve,
+                                  const std::vector<double>& times, double most_seconds) {
+  Opinion opinion{curve.name, curve.method, curve.relaxes, 0.0, {}, {}};
+  const double horizon = times.back();
   double work = 0.0;
   for (double rate = 120.0; rate <= 1e6 && 2.0 * work <= most_seconds; rate *= 2.0) {
-    if (rate * horizon * least_work(model, curve) > most_seconds) break;
+    if (predicted_seconds(model, curve.settings.method, rate * horizon, 1) > most_seconds) break;
     try {
-      const SampledRun run = sampled_run(model, start, settings_at(curve, rate, 1), {horizon}, chart_guard);
-      work = predicted_seconds(model, run.report, rate * horizon);
+      SampledRun run = sampled_run(model, start, settings_at(curve, rate, 1), times, chart_guard);
+      work = predicted_seconds(model, curve.settings.method, run.report, rate * horizon);
       if (run.diverged) continue;
-      const State& state = run.states.back();
-      const End fine{sag(model, state), energy(model, state).total(), link_strain(model, state).largest};
-      if (coarse) opinion = Opinion{curve.name, curve.method, rate, *coarse, fine, state};
-      coarse = fine;
+      opinion.coarse = std::move(opinion.fine);
+      opinion.fine = std::move(run.states);
+      opinion.rate = rate;
+      if (settled(opinion, model, start)) break;
     } catch (const BadRequest&) {
       continue;  // springs too stiff for this step
     }
   }
+  if (opinion.coarse.empty()) return std::nullopt;
   return opinion;
 }
 
-// The largest of three differences, kind by kind.
-Errors uncertainty_of(const Opinion& a, const Opinion& b, const Sizes& sizes) {
-  Errors result;
-  for (const ErrorKind kind : end_kinds)
-    result[kind] =
-        std::max({*difference(a.coarse, a.fine, sizes)[kind], *difference(b.coarse, b.fine, sizes)[kind],
-                  *difference(a.fine, b.fine, sizes)[kind]});
-  return result;
-}
-
-double sum_of(const Errors& errors) {
-  return *errors[ErrorKind::sag] + *errors[ErrorKind::energy];
-}
-
-// The scene without its ground and with links that never break: the same until something breaks or lands, and
-// within reach of more methods.
-Model without_events(const Model& model) {
-  Model calm = model;
-  calm.plane.reset();
-  calm.breakable_links.clear();
-  std::ranges::fill(calm.links.break_stretch, infinity);
-  std::ranges::fill(calm.links.break_tension, infinity);
-  return calm;
-}
-
-// When the first link breaks (s), by the first method that can do the whole scene; infinity where none
-// breaks.
-double first_break(const Model& model, const State& start, double horizon, double most_seconds) {
-  for (const Curve& curve : curves_for(model).curves) {
-    double rate = 120.0;
-    while (2.0 * rate * horizon * least_work(model, curve) <= most_seconds) rate *= 2.0;
-    const SampledRun run = sampled_run(model, start, settings_at(curve, rate, 1), {horizon}, chart_guard);
-    if (!run.diverged) return run.first_break;
-  }
-  return infinity;
-}
-
-bool below(const Plane& plane, const State& state) {
-  for (std::size_t i = 0; i < state.position.size(); ++i)
-    if (plane.normal.dot(state.position.at(i) - plane.point) < 0.0) return true;
-  return false;
-}
-
+// Two opinions of different methods, the surer one first; twice the same where no other method can do the
+// scene.
 struct Pair {
-  Opinion first, second;
+  const Opinion *first = nullptr, *second = nullptr;
 };
 
-// The two opinions of different methods that differ least, the surer one first.
-std::optional<Pair> best_pair(const std::vector<Opinion>& opinions, const Sizes& sizes) {
-  std::optional<Pair> best;
+bool one_method_alone(const std::vector<Opinion>& opinions) {
+  return std::ranges::all_of(
+      opinions, [&](const Opinion& opinion) { return opinion.method == opinions.front().method; });
+}
+
+bool may_agree(const Opinion& a, const Opinion& b, bool alone) {
+  return a.method < b.method || (alone && &a == &b);
+}
+
+std::string names_of(const Pair& pair) {
+  if (pair.first == pair.second)
+    return fmt::format("{} at {} steps/s and at half of that agree (no other method can do this scene)",
+                       pair.first->name, pair.first->rate);
+  return fmt::format("{} at {} steps/s and {} at {} steps/s agree{}", pair.first->name, pair.first->rate,
+                     pair.second->name, pair.second->rate,
+                     pair.first->relaxes && pair.second->relaxes ? " (both relax links one by one)" : "");
+}
+
+// How far apart two opinions are, or the two runs of one (m), at a place in the times.
+double distance(const Pair& pair, std::size_t place) {
+  const auto& [a, b] = pair;
+  return std::max({position_error(a->coarse[place], a->fine[place]),
+                   position_error(b->coarse[place], b->fine[place]),
+                   position_error(a->fine[place], b->fine[place])});
+}
+
+std::size_t agreeing(const Pair& pair, double bound) {
+  std::size_t count = 0;
+  while (count < pair.first->fine.size() && broken_links(pair.first->fine[count]) == 0 &&
+         distance(pair, count) <= bound)
+    ++count;
+  return count;
+}
+
+struct AgreedPair {
+  Pair pair;
+  std::size_t instants = 0;
+  double distance = infinity;  // m, the largest up to then
+};
+
+// The pair that agrees longest; of those the one that differs least.
+AgreedPair best_pair(const std::vector<Opinion>& opinions, double bound) {
+  AgreedPair best;
+  const bool alone = one_method_alone(opinions);
   for (const Opinion& a : opinions)
     for (const Opinion& b : opinions) {
-      if (a.method >= b.method) continue;
-      if (best &&
-          sum_of(uncertainty_of(a, b, sizes)) >= sum_of(uncertainty_of(best->first, best->second, sizes)))
-        continue;
-      const bool a_first =
-          sum_of(difference(a.coarse, a.fine, sizes)) <= sum_of(difference(b.coarse, b.fine, sizes));
-      best = a_first ? Pair{a, b} : Pair{b, a};
+      if (!may_agree(a, b, alone)) continue;
+      AgreedPair found{{&a, &b}, agreeing({&a, &b}, bound), 0.0};
+      if (found.instants == 0 || found.instants < best.instants) continue;
+      for (std::size_t i = 0; i < found.instants; ++i)
+        found.distance = std::max(found.distance, distance(found.pair, i));
+      if (found.instants > best.instants || found.distance < best.distance) best = found;
     }
+  const std::size_t last = best.instants - 1;
+  if (best.instants > 0 && position_error(best.pair.second->coarse[last], best.pair.second->fine[last]) <
+                               position_error(best.pair.first->coarse[last], best.pair.first->fine[last]))
+    std::swap(best.pair.first, best.pair.second);
   return best;
+}
+
+constexpr std::array summary_kinds{ErrorKind::sag, ErrorKind::energy, ErrorKind::strain};
+
+using Summaries = std::vector<Summary>;
+
+// The summaries of an opinion's two runs.
+struct Summed {
+  const Opinion* opinion = nullptr;
+  Summaries coarse, fine;
+};
+
+Summaries summaries_of(const Model& model, const std::vector<State>& states) {
+  Summaries summaries;
+  for (const State& state : states) summaries.push_back(summary_of(model, state));
+  return summaries;
+}
+
+// Compares the summaries of opinions.
+class Comparison {
+ public:
+  Comparison(const Model& model, const State& start) : model_(model), start_(start) {}
+
+  // The largest difference over all times, kind by kind.
+  Errors between(const Summaries& a, const Summaries& b) const {
+    Errors largest;
+    for (const ErrorKind kind : summary_kinds) largest[kind] = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      const Errors errors = difference(model_, start_, a[i], b[i]);
+      for (const ErrorKind kind : summary_kinds) largest[kind] = std::max(*largest[kind], *errors[kind]);
+    }
+    return largest;
+  }
+
+  // The largest of three differences, kind by kind.
+  Errors uncertainty(const Summed& a, const Summed& b) const {
+    const Errors own = between(a.coarse, a.fine), others = between(b.coarse, b.fine),
+                 apart = between(a.fine, b.fine);
+    Errors result;
+    for (const ErrorKind kind : summary_kinds)
+      result[kind] = std::max({*own[kind], *others[kind], *apart[kind]});
+    return result;
+  }
+
+  // The two of different methods that differ least, the surer one first.
+  std::optional<std::pair<Summed, Summed>> best(const std::vector<Summed>& all, bool alone) const {
+    std::optional<std::pair<Summed, Summed>> best;
+    double least = infinity;
+    for (const Summed& a : all)
+      for (const Summed& b : all) {
+        if (!may_agree(*a.opinion, *b.opinion, alone)) continue;
+        const double apart = sum_of(uncertainty(a, b));
+        if (!(apart < least)) continue;
+        least = apart;
+        const bool a_first = sum_of(between(a.coarse, a.fine)) <= sum_of(between(b.coarse, b.fine));
+        best = a_first ? std::pair(a, b) : std::pair(b, a);
+      }
+    return best;
+  }
+
+ private:
+  static double sum_of(const Errors& errors) { return *errors[ErrorKind::sag] + *errors[ErrorKind::energy]; }
+
+  const Model& model_;
+  const State& start_;
+};
+
+constexpr double judged_above = 10.0;  // times what two opinions differ by
+constexpr double largest_limit = 0.1;  // what is judged no better than this is not judged
+
+void set_limit(Truth& truth, ErrorKind kind, double uncertainty) {
+  if (judged_above * uncertainty < largest_limit) truth.smallest[kind] = judged_above * uncertainty;
 }
 
 }  // namespace
 
-Truth truth_by_agreement(const Model& model, const State& start, double horizon, double most_seconds,
-                         const std::string& why) {
-  Truth truth;
-  truth.times = {horizon};
-  truth.remark = why;
-  if (!model.breakable_links.empty()) {
-    if (const double at = first_break(model, start, horizon, most_seconds); at < infinity) {
-      truth.times = {std::max(1.0, std::floor(0.8 * at * 60.0)) / 60.0};
-      truth.remark += fmt::format("; looked at at {:.3g} s, before the first link breaks", truth.horizon());
-    }
-  }
-  const Model calm = without_events(model);
-  const Sizes sizes{scene_size(model, start), energy_scale(model, start)};
+std::vector<Opinion> opinions_of(const Model& model, const State& start, const std::vector<double>& times,
+                                 double most_seconds) {
   std::vector<Opinion> opinions;
-  for (const Curve& curve : curves_for(calm).curves) {
-    auto opinion = opinion_of(calm, start, curve, truth.horizon(), most_seconds);
-    if (opinion && !(model.plane && below(*model.plane, opinion->end)))
+  for (const Curve& curve : curves_for(model).curves)
+    if (auto opinion = opinion_of(model, start, curve, times, most_seconds))
       opinions.push_back(*std::move(opinion));
-  }
-  const std::optional<Pair> best = best_pair(opinions, sizes);
+  return opinions;
+}
+
+std::optional<Truth> agreed_motion(const Model& model, const State& start,
+                                   const std::vector<Opinion>& opinions) {
+  constexpr double close = 1e-3, loose = 1e-2, worth = 2.0;
+  const double size = scene_size(model, start);
+  AgreedPair best = best_pair(opinions, close * size);
+  const AgreedPair longer = best_pair(opinions, loose * size);
+  if (longer.instants > 0 &&
+      static_cast<double>(longer.instants) >= worth * static_cast<double>(best.instants))
+    best = longer;
+  if (best.instants == 0) return std::nullopt;
+  const auto& [first, second] = best.pair;
+  const auto agreed = [&](const std::vector<State>& states) {
+    return std::span(states).first(best.instants);
+  };
+  Truth truth;
+  truth.states.assign(first->fine.begin(), first->fine.begin() + static_cast<std::ptrdiff_t>(best.instants));
+  for (const State& state : truth.states) truth.times.push_back(state.time);
+  truth.summaries = summaries_of(model, truth.states);
+  for (const ErrorKind kind : all_error_kinds)
+    set_limit(truth, kind,
+              std::max({error_against(model, start, kind, agreed(first->coarse), agreed(first->fine)),
+                        error_against(model, start, kind, agreed(second->coarse), agreed(second->fine)),
+                        error_against(model, start, kind, agreed(second->fine), agreed(first->fine))}));
+  if (has_rigid_links(model)) truth.smallest[ErrorKind::strain] = exact_length_limit;
+  truth.how =
+      fmt::format("{}: the motion within {:.1e} of the size", names_of(best.pair), best.distance / size);
+  return truth;
+}
+
+Truth agreed_summaries(const Model& model, const State& start, const std::vector<Opinion>& opinions,
+                       const std::vector<double>& times, const std::string& why) {
+  Truth truth;
+  truth.times = times;
+  truth.remark = why;
+  std::vector<Summed> all;
+  for (const Opinion& opinion : opinions)
+    all.push_back({&opinion, summaries_of(model, opinion.coarse), summaries_of(model, opinion.fine)});
+  const Comparison comparison(model, start);
+  const auto best = comparison.best(all, one_method_alone(opinions));
   if (!best) {
     truth.remark += "; no two methods can be run finely enough to agree";
     return truth;
   }
   const auto& [first, second] = *best;
-  truth.sag = first.fine.sag;
-  truth.energy = first.fine.energy;
-  truth.strain = first.fine.strain;
-  const Errors uncertainty = uncertainty_of(first, second, sizes);
-  for (const ErrorKind kind : end_kinds)
-    if (10.0 * *uncertainty[kind] < 0.1) truth.smallest[kind] = 10.0 * *uncertainty[kind];
+  truth.summaries = first.fine;
+  const Errors uncertainty = comparison.uncertainty(first, second);
+  for (const ErrorKind kind : summary_kinds) set_limit(truth, kind, *uncertainty[kind]);
   if (has_rigid_links(model)) truth.smallest[ErrorKind::strain] = exact_length_limit;
-  truth.how = fmt::format(
-      "{} at {} steps/s and {} at {} steps/s agree: sag within {:.1e} of the size, energy within {:.1e}",
-      first.name, first.rate, second.name, second.rate, *uncertainty[ErrorKind::sag],
-      *uncertainty[ErrorKind::energy]);
+  truth.how = fmt::format("{}: sag within {:.1e} of the size, energy within {:.1e}",
+                          names_of({first.opinion, second.opinion}), *uncertainty[ErrorKind::sag],
+                          *uncertainty[ErrorKind::energy]);
   return truth;
 }
 

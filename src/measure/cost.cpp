@@ -1,15 +1,66 @@
 #include "measure/cost.h"
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 
-namespace taut {
+#include "methods/registry.h"
 
-double predicted_seconds(const Model& model, const StepReport& counts, double steps) {
-  constexpr double per_solve = 15e-9, per_factor = 4e-9;  // s
-  const double rows = static_cast<double>(model.links.size());
-  return per_solve * std::max(static_cast<double>(counts.link_solves), steps * rows) +
-         per_factor * static_cast<double>(counts.factorisations) * rows * std::sqrt(rows);
+namespace taut {
+namespace {
+
+// ns
+struct Prices {
+  std::string_view method;
+  double step;    // a link
+  double solve;   // a link
+  double factor;  // rows^1.5
+};
+
+constexpr Prices usual{"", 10.0, 10.0, 2.0};
+constexpr std::array prices{Prices{"euler", 4.0, 18.0, 0.0},
+                            Prices{"verlet", 5.0, 6.0, 0.0},
+                            Prices{"xpbd", 6.0, 6.0, 0.0},
+                            Prices{"shake", 15.0, 5.0, 0.0},
+                            Prices{"newton", 8.0, 12.0, 0.5},
+                            Prices{"rattle", 18.0, 11.0, 0.5},
+                            Prices{"spring-explicit", 17.0, 0.0, 0.0},
+                            Prices{"spring-implicit", 15.0, 0.0, 40.0}};
+
+constexpr double any_step = 80.0;  // ns
+// ns · rows³ a round: limits on angles make direct solves dense.
+constexpr double dense_round = 0.13;
+// ns a limit and round, and a contact point and step, beside what its links cost.
+constexpr double limit_round = 150.0, contact_step = 100.0;
+
+const Prices& prices_of(std::string_view method) {
+  for (const Prices& entry : prices)
+    if (entry.method == method) return entry;
+  return usual;
+}
+
+}  // namespace
+
+double predicted_seconds(const Model& model, std::string_view method, const StepReport& counts,
+                         double steps) {
+  const Prices& price = prices_of(method);
+  const auto rows = static_cast<double>(model.links.size()),
+             limits = static_cast<double>(model.limits.size()), rounds = static_cast<double>(counts.rounds);
+  const bool dense = price.factor > 0.0 && limits > 0.0;
+  return 1e-9 *
+         (price.step * steps * rows + price.solve * static_cast<double>(counts.link_solves) +
+          price.factor * static_cast<double>(counts.factorisations) * rows * std::sqrt(rows) +
+          (dense ? dense_round * rounds * std::pow(rows + limits, 3.0) : 0.0) +
+          limit_round * rounds * limits + contact_step * steps * static_cast<double>(model.contacts.size()));
+}
+
+double predicted_seconds(const Model& model, std::string_view method, double steps, std::int64_t passes) {
+  StepReport counts;
+  counts.link_solves =
+      static_cast<std::int64_t>(steps) * passes * static_cast<std::int64_t>(model.links.size());
+  counts.rounds = static_cast<std::int64_t>(steps) * passes;
+  if (find_param(*find_method(method), "passes") == nullptr)
+    counts.factorisations = static_cast<std::int64_t>(steps);
+  return predicted_seconds(model, method, counts, steps);
 }
 
 }  // namespace taut

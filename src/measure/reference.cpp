@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/failure.h"
+#include "measure/events.h"
 #include "measure/explicit_integrator.h"
 #include "measure/measures.h"
 #include "methods/registry.h"
@@ -98,16 +99,9 @@ Reference refused(std::string reason) {
   return reference;
 }
 
-}  // namespace
-
-Reference make_reference(const Model& model, const State& start, const std::vector<double>& times,
+// The motion of a scene that has no events.
+Reference calm_reference(const Model& model, const State& start, const std::vector<double>& times,
                          double accuracy) {
-  if (model.plane || !model.contacts.empty() || !model.limits.empty())
-    return refused(
-        "masses that meet the ground, solids or limits have events that the reference does not resolve");
-  if (model.wind) return refused("the reference knows no wind");
-  if (!model.breakable_links.empty())
-    return refused("links that break have events that the reference does not resolve");
   // The second opinion comes first: where it does not even agree with itself, halving steps would be in vain.
   const auto most_evaluations = static_cast<long>(most_link_evaluations / link_count(model));
   const auto loose = integrate_explicitly(model, start, times, accuracy * 1e-3, most_evaluations);
@@ -144,6 +138,21 @@ Reference make_reference(const Model& model, const State& start, const std::vect
       "rattle of order {} at {:.0f} steps/s; Dormand–Prince 5(4) at acceleration level within {:.1e} m",
       order, halved.rate, reference.uncertainty);
   return reference;
+}
+
+}  // namespace
+
+Reference make_reference(const Model& model, const State& start, const std::vector<double>& times,
+                         double accuracy) {
+  if (model.wind) return refused("the reference knows no wind");
+  const std::optional<Event> event = first_event(model, start, times.back());
+  if (!event) return calm_reference(without_events(model), start, times, accuracy);
+  std::vector<double> calm_times = times;
+  std::erase_if(calm_times, [&](double time) { return time > time_before(*event); });
+  if (calm_times.empty())
+    return refused(
+        fmt::format("at {:.3g} s {}, which the reference does not resolve", event->time, event->what));
+  return calm_reference(without_events(model), start, calm_times, accuracy);
 }
 
 }  // namespace taut

@@ -14,12 +14,6 @@ bool has_diverged(const Model& model, const State& state, double scale) {
   return !all_finite(state) || energy(model, state).kinetic > divergence * scale;
 }
 
-double first_break(const Model& model, const State& state) {
-  double first = infinity;
-  for (const Index link : model.breakable_links) first = std::min(first, state.broken_at[link]);
-  return first;
-}
-
 }  // namespace
 
 SampledRun sampled_run(const Model& model, const State& start, const Settings& settings,
@@ -50,7 +44,6 @@ SampledRun sampled_run(const Model& model, const State& start, const Settings& s
         state.time == time ? state : interpolate(before, state, time, method.can.between_steps);
     run.states.push_back(reported_state(model, method.can, shown));
   }
-  run.first_break = first_break(model, state);
   return run;
 }
 

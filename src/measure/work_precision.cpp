@@ -81,7 +81,8 @@ void GridWalk::record(const JudgedRun& run) {
   row.next = current_.fineness + 1;
   if (run.diverged) return;
   const Judged judged{run.errors,
-                      predicted_seconds(model_, run.counts, truth_.horizon() * current_.steps_per_second())};
+                      predicted_seconds(model_, curves_[current_.curve].settings.method, run.counts,
+                                        truth_.horizon() * current_.steps_per_second())};
   row.last_work = judged.work;
   row.dominated = is_dominated(walk, judged) ? row.dominated + 1 : 0;
   row.stale = improve(row.best, run.errors) ? 0 : row.stale + 1;
@@ -103,11 +104,9 @@ double GridWalk::predicted_work(const GridPoint& point) const {
   const Row& row = walks_[point.curve].rows[static_cast<std::size_t>(point.row)];
   if (row.last_work < infinity) return 2.0 * row.last_work;
   constexpr std::int64_t rounds_of_direct_solves = 3;
-  const std::int64_t rounds = curves_[point.curve].relaxes ? point.passes() : rounds_of_direct_solves;
-  StepReport counts;
-  counts.link_solves = static_cast<std::int64_t>(truth_.horizon() * point.steps_per_second()) * rounds *
-                       static_cast<std::int64_t>(model_.links.size());
-  return predicted_seconds(model_, counts, 0.0);
+  const Curve& curve = curves_[point.curve];
+  return predicted_seconds(model_, curve.settings.method, truth_.horizon() * point.steps_per_second(),
+                           curve.relaxes ? point.passes() : rounds_of_direct_solves);
 }
 
 // Whether a point of the curve that costs no more has at most half of every error, as far as it can be told.

@@ -103,6 +103,7 @@ class RattleStepper final : public Stepper {
     kick_by_springs(springs_, half, position_, velocity_, half_velocity_, spring_tension_);
     drift(h, start_position_, half_velocity_, position_);
     place_pins(model_, end_time, position_, half_velocity_);
+    report.link_solves += spring_kicks * static_cast<std::int64_t>(springs_.links.size());
     limits_.begin_step(h);
     if (!solve_positions(report)) return;
 

@@ -68,6 +68,7 @@ class ShakeStepper final : public Stepper {
     place_pins(model_, end_time, position_, velocity_);
 
     StepReport report;
+    report.link_solves = spring_kicks * static_cast<std::int64_t>(springs_.links.size());
     limits_.begin_step();
     if (!relax(state.position, h, report)) return report;
 

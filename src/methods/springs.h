@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "link_system.h"
@@ -13,6 +14,10 @@ struct Springs {
 
   bool empty() const { return links.size() == 0; }
 };
+
+/// How often second-order steps work out every spring's force: at their start, and twice at their end, where
+/// damping needs a first guess.
+inline constexpr std::int64_t spring_kicks = 3;
 
 /// The whole links with stiffness that have a free end.
 Springs gather_springs(const Model& model, const State& state);

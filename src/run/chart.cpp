@@ -26,10 +26,9 @@ constexpr double run_share = 1.0 / 200.0, case_share = 1.0 / 30.0;
 // How long one run may take (s, predicted): in large scenes long enough for a row of doublings.
 double longest_run(const Scene& scene, const Truth& truth, double budget) {
   constexpr double coarsest = 60.0, doublings = 5.0;  // 1/s
-  StepReport counts;
-  counts.link_solves = static_cast<std::int64_t>(coarsest * truth.horizon()) *
-                       static_cast<std::int64_t>(scene.model.links.size());
-  return std::max(budget * run_share, std::exp2(doublings) * predicted_seconds(scene.model, counts, 0.0));
+  return std::max(
+      budget * run_share,
+      std::exp2(doublings) * predicted_seconds(scene.model, "xpbd", coarsest * truth.horizon(), 1));
 }
 
 class Stopwatch {
@@ -53,7 +52,7 @@ Truth wanted_truth(const Scene& scene, const ChartRequest& request) {
   for (const ErrorKind kind : all_error_kinds) {
     const bool asked = std::ranges::find(request.errors, kind) != request.errors.end();
     if (asked && !truth.smallest[kind]) missing.push_back(name_of(kind));
-    const bool usual = kind != ErrorKind::sag || truth.states.empty();
+    const bool usual = kind != ErrorKind::sag || !truth.certified;
     if (!(request.errors.empty() ? usual : asked)) truth.smallest[kind].reset();
   }
   if (!missing.empty())

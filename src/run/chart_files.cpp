@@ -22,9 +22,11 @@ double cost_of(const ChartCase& done, Cost cost) {
   return cost == Cost::seconds ? done.seconds() : static_cast<double>(done.run.counts.link_solves);
 }
 
-bool is_drawn(const Chart& chart, const ChartCase& done, ErrorKind kind) {
+// What costs nothing (a free flight makes no link solves) has no place on a logarithmic axis.
+bool is_drawn(const Chart& chart, const ChartCase& done, ErrorKind kind, Cost cost) {
   const std::optional<double>& error = done.run.errors[kind];
-  return !done.run.diverged && error && *error <= largest_drawn && *error > *chart.truth.smallest[kind];
+  return !done.run.diverged && error && *error <= largest_drawn && *error > *chart.truth.smallest[kind] &&
+         cost_of(done, cost) > 0.0;
 }
 
 std::vector<std::size_t> front_of(const std::vector<const ChartCase*>& cases, ErrorKind kind, Cost cost) {
@@ -55,7 +57,7 @@ FigureCurve curve_of(const Chart& chart, std::size_t place, ErrorKind kind, Cost
   drawn.dashed = place > 0 && chart.curves[place - 1].method == curve.method;
   std::vector<const ChartCase*> cases;
   for (const ChartCase& done : chart.cases)
-    if (done.point.curve == place && is_drawn(chart, done, kind)) cases.push_back(&done);
+    if (done.point.curve == place && is_drawn(chart, done, kind, cost)) cases.push_back(&done);
   const std::vector<std::size_t> line = line_of(cases, kind, cost);
   for (const std::size_t i : line)
     drawn.points.push_back({*cases[i]->run.errors[kind], cost_of(*cases[i], cost), true});
@@ -75,7 +77,7 @@ std::string settings_label(const Chart& chart, const ChartCase& done) {
 std::vector<FigureLabel> front_labels(const Chart& chart, ErrorKind kind, Cost cost) {
   std::vector<const ChartCase*> cases;
   for (const ChartCase& done : chart.cases)
-    if (is_drawn(chart, done, kind)) cases.push_back(&done);
+    if (is_drawn(chart, done, kind, cost)) cases.push_back(&done);
   std::vector<FigureLabel> labels;
   for (const std::size_t i : front_of(cases, kind, cost))
     labels.push_back(

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "measure/cost.h"
+#include "run/scene_plan.h"
 
 namespace taut {
 namespace {
@@ -14,7 +15,7 @@ std::optional<double> cheapest(const Scene& scene, const Chart& chart, ErrorKind
   std::optional<double> least;
   for (const ChartCase& done : chart.cases) {
     if (done.run.diverged || !done.run.errors[kind] || *done.run.errors[kind] > wanted) continue;
-    const double work = predicted_seconds(scene.model, done.run.counts,
+    const double work = predicted_seconds(scene.model, done.settings.method, done.run.counts,
                                           chart.truth.horizon() * done.settings.steps_per_second());
     if (!least || work < *least) least = work;
   }
@@ -38,12 +39,13 @@ std::vector<PlanVerdict> judge_plans(const Scene& scene, const Chart& chart) {
     PlanVerdict verdict;
     verdict.scene = scene.name;
     verdict.wanted = wanted;
-    verdict.plan =
-        make_plan(scene.model, scene.start, scene.duration, {ErrorKind::trajectory, wanted, false});
-    verdict.kind = chart.truth.smallest[ErrorKind::trajectory] ? ErrorKind::trajectory : ErrorKind::sag;
+    verdict.plan = plan_scene(scene, {ErrorKind::trajectory, wanted, false});
+    verdict.kind = judging_kind(chart.truth, ErrorKind::trajectory, wanted);
+    verdict.until = chart.truth.horizon();
+    verdict.smallest = chart.truth.smallest[verdict.kind].value_or(infinity);
     const JudgedRun run = judge_run(scene.model, scene.start, chart.truth, verdict.plan.settings);
     verdict.error = run.errors[verdict.kind].value_or(infinity);
-    verdict.work = predicted_seconds(scene.model, run.counts,
+    verdict.work = predicted_seconds(scene.model, verdict.plan.settings.method, run.counts,
                                      chart.truth.horizon() * verdict.plan.settings.steps_per_second());
     verdict.cheapest_work = cheapest(scene, chart, verdict.kind, wanted);
     verdicts.push_back(std::move(verdict));
@@ -53,24 +55,29 @@ std::vector<PlanVerdict> judge_plans(const Scene& scene, const Chart& chart) {
 
 std::string plan_table(const std::vector<PlanVerdict>& verdicts) {
   std::string table =
-      "| scene | wanted | judged by | plan | error | met | work ÷ cheapest charted "
-      "|\n|---|---|---|---|---|---|---|\n";
+      "| scene | wanted | judged by | until | plan | error | met | work ÷ cheapest charted "
+      "|\n|---|---|---|---|---|---|---|---|\n";
+  std::size_t judged = 0, met = 0, cheap = 0;
   for (const PlanVerdict& verdict : verdicts) {
-    const std::string ratio =
-        verdict.cheapest_work ? fmt::format("{:.2g}", verdict.work / *verdict.cheapest_work) : "none charted";
-    table += fmt::format("| {} | {} % | {} | {} | {:.2g} % | {} | {} |\n", verdict.scene,
-                         100.0 * verdict.wanted, name_of(verdict.kind), short_settings(verdict.plan.settings),
-                         100.0 * verdict.error, verdict.met() ? "yes" : "no", ratio);
+    table += fmt::format("| {} | {} % | {} | {:.3g} s | {} | ", verdict.scene, 100.0 * verdict.wanted,
+                         name_of(verdict.kind), verdict.until, short_settings(verdict.plan.settings));
+    if (!verdict.judged()) {
+      table += fmt::format("can't be judged below {:.2g} % | | |\n", 100.0 * verdict.smallest);
+      continue;
+    }
+    const bool has_ratio = verdict.cheapest_work.has_value();
+    const double ratio = has_ratio ? verdict.work / *verdict.cheapest_work : infinity;
+    table += fmt::format("{:.2g} % | {} | {} |\n", 100.0 * verdict.error, verdict.met() ? "yes" : "no",
+                         has_ratio ? fmt::format("{:.2g}", ratio) : "none charted");
+    ++judged;
+    met += verdict.met();
+    cheap += ratio <= 2.0;
   }
-  const auto met = std::ranges::count_if(verdicts, &PlanVerdict::met);
-  const auto cheap = std::ranges::count_if(verdicts, [](const PlanVerdict& verdict) {
-    return verdict.cheapest_work && verdict.work <= 2.0 * *verdict.cheapest_work;
-  });
   return table +
          fmt::format(
-             "\n{} of {} plans meet their target; {} cost at most twice the cheapest charted point that "
-             "does.\n",
-             met, verdicts.size(), cheap);
+             "\n{} of {} plans that can be judged meet their target; {} cost at most twice the cheapest "
+             "charted point that does.\n",
+             met, judged, cheap);
 }
 
 }  // namespace taut

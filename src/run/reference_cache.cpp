@@ -7,6 +7,7 @@
 #include "json_cache.h"
 #include "methods/registry.h"
 #include "run/build_info.h"
+#include "states_json.h"
 
 namespace taut {
 namespace {
@@ -19,26 +20,8 @@ std::string key_of(const Scene& scene, const std::vector<double>& times, double 
   return hash.add(std::span(&accuracy, 1)).hex();
 }
 
-Json vectors_to_json(const Vectors& v) {
-  return {v.x, v.y, v.z};
-}
-
-Vectors vectors_from_json(const Json& json) {
-  Vectors v;
-  json.at(0).get_to(v.x);
-  json.at(1).get_to(v.y);
-  json.at(2).get_to(v.z);
-  return v;
-}
-
 Json to_json(const Reference& reference) {
-  Json states = Json::array();
-  for (const State& state : reference.states)
-    states.push_back({{"time", state.time},
-                      {"position", vectors_to_json(state.position)},
-                      {"velocity", vectors_to_json(state.velocity)},
-                      {"tension", state.tension}});
-  return {{"states", std::move(states)},
+  return {{"states", states_to_json(reference.states)},
           {"uncertainty", reference.uncertainty},
           {"certified_until", reference.certified_until},
           {"how", reference.how},
@@ -47,14 +30,7 @@ Json to_json(const Reference& reference) {
 
 Reference from_json(const Json& json, const State& start) {
   Reference reference;
-  for (const Json& entry : json.at("states")) {
-    State state = start;
-    entry.at("time").get_to(state.time);
-    state.position = vectors_from_json(entry.at("position"));
-    state.velocity = vectors_from_json(entry.at("velocity"));
-    entry.at("tension").get_to(state.tension);
-    reference.states.push_back(std::move(state));
-  }
+  reference.states = states_from_json(json.at("states"), start);
   json.at("uncertainty").get_to(reference.uncertainty);
   json.at("certified_until").get_to(reference.certified_until);
   json.at("how").get_to(reference.how);

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "measure/planner.h"
 #include "measure/work_precision.h"
+#include "run/scene_plan.h"
 #include "run/scene_truth.h"
 #include "temporary_folder.h"
 
@@ -35,14 +35,14 @@ TEST_P(PlanTest, MeetsItsTargetAndIsTheSameTwice) {
   const auto [name, wanted] = GetParam();
   const testing::TemporaryFolder folder;
   const Scene scene = scene_named(name);
+  const AccuracyTarget target{ErrorKind::trajectory, wanted, false};
+  const Plan plan = plan_scene(scene, target, {}, folder.path());
+  EXPECT_TRUE(plan.reached) << plan.why;
   const Truth truth = scene_truth(scene, {.horizon = 1.0}, folder.path());
   ASSERT_TRUE(truth.smallest[ErrorKind::trajectory]) << truth.remark;
-  const AccuracyTarget target{ErrorKind::trajectory, wanted, false};
-  const Plan plan = make_plan(scene.model, scene.start, 1.0, target);
-  EXPECT_TRUE(plan.reached) << plan.why;
   const JudgedRun run = judge_run(scene.model, scene.start, truth, plan.settings);
   EXPECT_LE(*run.errors[ErrorKind::trajectory], wanted) << plan.why;
-  EXPECT_EQ(plan.settings.values, make_plan(scene.model, scene.start, 1.0, target).settings.values);
+  EXPECT_EQ(plan.settings.values, plan_scene(scene, target, {}, folder.path()).settings.values);
 }
 
 INSTANTIATE_TEST_SUITE_P(SmallScenes, PlanTest,
@@ -52,16 +52,18 @@ INSTANTIATE_TEST_SUITE_P(SmallScenes, PlanTest,
 
 TEST(Plan, KeepsToTheMethodThatIsAskedFor) {
   const Scene scene = scene_named("pendulum");
-  const Plan plan = make_plan(scene.model, scene.start, 1.0, {ErrorKind::trajectory, 0.01, false}, "xpbd");
+  const testing::TemporaryFolder folder;
+  const Plan plan = plan_scene(scene, {ErrorKind::trajectory, 0.01, false}, "xpbd", folder.path());
   EXPECT_EQ(plan.settings.method, "xpbd");
   EXPECT_TRUE(plan.reached) << plan.why;
 }
 
 TEST(Plan, AFinerTargetCostsMore) {
   const Scene scene = scene_named("chain-20");
+  const testing::TemporaryFolder folder;
   double before = 0.0;
   for (const double wanted : {0.1, 0.01, 1e-3, 1e-4}) {
-    const Plan plan = make_plan(scene.model, scene.start, 1.0, {ErrorKind::trajectory, wanted, false});
+    const Plan plan = plan_scene(scene, {ErrorKind::trajectory, wanted, false}, {}, folder.path());
     EXPECT_GT(plan.predicted_seconds, before) << plan.why;
     before = plan.predicted_seconds;
   }

@@ -1,14 +1,22 @@
 #pragma once
 
+#include <cstdint>
+#include <string_view>
+
 #include "methods/method.h"
 #include "model/model.h"
 
 namespace taut {
 
 /// What a run costs, in seconds of one core of an ordinary machine, from counts alone, so that whatever is
-/// decided by it is decided alike everywhere: 15 ns a link corrected or row of a direct solve (at least once
-/// a link and step), and 4 ns · rows^1.5 a factorisation (the growth of a sparse factorisation of a net with
-/// a good order). Within a factor of about two of what is measured (docs/charts.md).
-double predicted_seconds(const Model& model, const StepReport& counts, double steps);
+/// decided by it is decided alike everywhere. A price a step, one a link and step, a price a link corrected
+/// or row of a direct solve, and one a factorisation and rows^1.5 (the growth of a sparse factorisation of a
+/// net with a good order); where limits on angles make direct solves dense, one a round and rows³; limits and
+/// contact points have prices of their own. The prices of each method are fitted to the cases of charts and
+/// mostly within a factor of two of them.
+double predicted_seconds(const Model& model, std::string_view method, const StepReport& counts, double steps);
+
+/// The same before anything has run: so many steps, with so many passes, or rounds of a direct solve, each.
+double predicted_seconds(const Model& model, std::string_view method, double steps, std::int64_t passes);
 
 }  // namespace taut

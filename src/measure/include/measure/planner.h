@@ -26,8 +26,7 @@ std::optional<AccuracyTarget> parse_accuracy(std::string_view text);
 struct Plan {
   Settings settings;                       ///< complete
   bool reached = false;                    ///< false: nothing tried was good enough, and this is the best
-  ErrorKind kind = ErrorKind::trajectory;  ///< what it was judged by: the target's kind, or sag where no two
-                                           ///< methods agree on a trajectory
+  ErrorKind kind = ErrorKind::trajectory;  ///< what it was judged by: judging_kind()
   double wanted = 0.0;                     ///< error
   double estimated_error = 0.0;            ///< over the time that was looked at
   double looked_until = 0.0;               ///< s
@@ -36,14 +35,16 @@ struct Plan {
   std::string why;                         ///< a sentence for people: what was chosen and why
 };
 
-/// Plans a run of `duration` seconds. Every method that can do the scene makes short runs with ever finer
-/// steps and 1, 4 and 16 passes, until two different methods agree, and each of them with itself at half the
-/// step, within a quarter of the target at all of eight instants, or the work that may be spent on it is; the
-/// time on which two agree is what counts, and the surer of the two is the measure. Where none do, as chaos
-/// has it, it is tried again over a quarter of the time, twice. Of all runs within seven tenths of the target
-/// the one is taken that is predicted to be cheapest. `only`: a method that the plan has to use; empty: any.
+/// The kind of error by which a truth judges a target: the target's, or the sag where that alone can be told
+/// finely enough.
+ErrorKind judging_kind(const Truth& truth, ErrorKind kind, double wanted);
+
+/// Plans a run of `duration` seconds: walks the grid of methods, steps and passes from cheap to dear
+/// (GridWalk), judges every run by the truth up to its horizon, and takes the one predicted to be cheapest of
+/// those within nine tenths of the target; dearer ones are not run. Where none is good enough before the work
+/// that may be spent on it is, the best is taken. `only`: a method that the plan has to use; empty: any.
 /// Decided by counts alone, never by a clock: the same scene gets the same plan.
-Plan make_plan(const Model& model, const State& start, double duration, const AccuracyTarget& target,
-               std::string_view only = {});
+Plan make_plan(const Model& model, const State& start, const Truth& truth, double duration,
+               const AccuracyTarget& target, std::string_view only = {});
 
 }  // namespace taut

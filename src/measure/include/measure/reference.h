@@ -24,9 +24,9 @@ struct Reference {
 /// The motion at rising times, certified to `accuracy` (m): the step of rattle (of order 4 where the scene
 /// allows it) is halved until that changes no position by more than a third of it, and an explicit
 /// integration of the equations at acceleration level, at two tolerances, must agree within it. Where
-/// agreement ends before the last time the later states are left out, and certified_until says so. Refused,
-/// with the reason, where no state can be certified, and for scenes whose motion has events that neither
-/// opinion resolves (breaking links, ground).
+/// agreement ends before the last time the later states are left out, and certified_until says so; so it is
+/// where the first event comes (events.h), as neither opinion resolves any. Refused, with the reason, where
+/// no state can be certified, and for scenes with wind.
 Reference make_reference(const Model& model, const State& start, const std::vector<double>& times,
                          double accuracy);
 

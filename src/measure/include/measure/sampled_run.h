@@ -9,10 +9,9 @@ namespace taut {
 
 /// One run and what it looked like at some times.
 struct SampledRun {
-  StepReport report;              ///< sums over all steps
-  std::vector<State> states;      ///< one a time asked for, as reports show them; fewer when the run diverged
-  double reached = 0.0;           ///< s
-  double first_break = infinity;  ///< s, when the first link broke
+  StepReport report;          ///< sums over all steps
+  std::vector<State> states;  ///< one a time asked for, as reports show them; fewer when the run diverged
+  double reached = 0.0;       ///< s
   bool diverged = false;  ///< a step failed, or something is not finite, or the masses have gained a thousand
                           ///< times the scene's energy scale
 };

@@ -19,8 +19,8 @@ enum class ErrorKind {
                ///< scene_size()
   strain,      ///< largest |strain| of the rigid links over those times; where no link is rigid: largest
                ///< difference of a link's strain from what it should be
-  energy,      ///< largest difference of the total energy from what it should be, by energy_scale()
-  sag,         ///< difference of the sag at the end from what it should be, by scene_size()
+  energy,      ///< the same of the total energy, by energy_scale()
+  sag,         ///< largest difference of the sag from what it should be, by scene_size()
 };
 inline constexpr std::array all_error_kinds{ErrorKind::trajectory, ErrorKind::strain, ErrorKind::energy,
                                             ErrorKind::sag};
@@ -38,13 +38,23 @@ class Errors {
   std::array<std::optional<double>, all_error_kinds.size()> values_;
 };
 
+/// A state in three numbers.
+struct Summary {
+  double sag = 0.0;     ///< m
+  double energy = 0.0;  ///< J, in total
+  double strain = 0.0;  ///< largest |strain|
+};
+Summary summary_of(const Model& model, const State& state);
+
+/// How far two summaries are apart, each number by its size; no trajectory.
+Errors difference(const Model& model, const State& start, const Summary& a, const Summary& b);
+
 /// What is true of a scene up to a horizon, and how small an error can be judged by it.
 struct Truth {
   std::vector<double> times;  ///< s, rising, at which runs are looked at; the last one is the horizon
   std::vector<State> states;  ///< the certified motion, one a time; empty where no motion can be certified
-  double sag = 0.0;           ///< m, at the horizon
-  double energy = 0.0;        ///< J, at the horizon
-  double strain = 0.0;        ///< largest |strain| at the horizon
+  bool certified = false;     ///< the motion, by a reference
+  std::vector<Summary> summaries;  ///< one a time; there without a motion, too
   Errors smallest;     ///< of each kind, the smallest error that can be judged; absent: that kind can't be
   std::string how;     ///< what it was made with, for people
   std::string remark;  ///< what can't be judged and why; may be empty

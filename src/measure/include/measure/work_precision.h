@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -57,6 +58,8 @@ class GridWalk {
   std::optional<GridPoint> next();
   /// What came of the point that next() gave last.
   void record(const JudgedRun& run);
+  /// From now on leaves out what is predicted to take longer.
+  void forbid_above(double seconds) { most_seconds_ = std::min(most_seconds_, seconds); }
 
   /// How many points were left out, and why, and how many are neither run nor left out so far.
   struct Counts {

@@ -74,7 +74,7 @@ struct StepReport {
   StepStatus status = StepStatus::done;
   Index worst_link = no_link;    ///< where it failed, or the most strained link where the method knows it
   std::int64_t rounds = 0;       ///< passes or Newton rounds
-  std::int64_t link_solves = 0;  ///< single links corrected, or rows of a direct solve
+  std::int64_t link_solves = 0;  ///< single links corrected, rows of a direct solve, or forces of springs
   std::int64_t factorisations = 0;
   std::int64_t halvings = 0;
   std::int64_t breaks = 0;  ///< links broken by the step itself

@@ -18,8 +18,8 @@ namespace taut {
 /// What is to be charted of a scene.
 struct ChartRequest {
   std::vector<std::string> methods;  ///< empty: all
-  std::vector<ErrorKind> errors;  ///< empty: trajectory, strain and energy; where no motion can be certified
-                                  ///< sag, strain and energy
+  std::vector<ErrorKind> errors;  ///< empty: trajectory, strain and energy, where no motion can be certified
+                                  ///< sag, too, and no trajectory where no two methods agree on it
   std::optional<double> horizon;  ///< s
   double budget = 60.0;  ///< s; no single run takes more than about one in two hundred parts of it, or, where
                          ///< that is more, 32 times what 60 steps per second take

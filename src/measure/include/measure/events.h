@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "model/model.h"
+#include "model/state.h"
+
+namespace taut {
+
+/// The scene without ground, solids, touching bodies and limits on angles, and with links that never break:
+/// the same until one of these has an effect, and within reach of more methods and of references.
+Model without_events(const Model& model);
+
+/// What ends the smooth part of a motion.
+struct Event {
+  double time = 0.0;      ///< s, to a few milliseconds
+  std::string_view what;  ///< "the first link breaks", "an angle reaches its limit" or "something is touched"
+};
+
+/// The first event up to a horizon (s): the scene runs beside itself without events until the two differ.
+/// Nothing where they never do.
+std::optional<Event> first_event(const Model& model, const State& start, double horizon);
+
+/// How long a motion is looked at that an event ends (s): a little less, because the time at which something
+/// breaks or is touched depends on method and step.
+double time_before(const Event& event);
+
+}  // namespace taut
