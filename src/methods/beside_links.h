@@ -14,13 +14,13 @@ class BesideLinks {
   explicit BesideLinks(const Model& model)
       : model_(model), limits_(model), bodies_(model), contacts_(model) {}
 
-  /// To be called once positions of the step have been predicted, with the positions and velocities at its
-  /// start, which must stay where they are until rebound().
-  void begin_step(const Vectors& start, const Vectors& velocity, const Vectors& predicted) {
+  /// To be called once positions of the step have been predicted, in place of those of the state; the
+  /// positions at its start, which must stay where they are until keep().
+  void begin_step(const Vectors& start, const State& predicted) {
     start_ = &start;
     limits_.begin_step();
-    bodies_.begin_step(start, predicted);
-    contacts_.begin_step(start, velocity, predicted);
+    bodies_.begin_step(predicted.holds.bodies, start, predicted.position);
+    contacts_.begin_step(predicted.holds.solids, start, predicted.velocity, predicted.position);
   }
 
   /// One pass, to follow that over the links. `answer` is what a mass moves by beside its inverse mass: 1/(1
@@ -34,6 +34,12 @@ class BesideLinks {
 
   /// Once velocities have been derived from positions.
   void rebound(double h, Vectors& velocity) const { contacts_.rebound(h, velocity); }
+
+  /// Once the step has been made.
+  void keep(State& state) const {
+    bodies_.keep(state.position, state.holds.bodies);
+    contacts_.keep(state.position, state.holds.solids);
+  }
 
   /// Limits solved in a pass.
   std::int64_t size() const { return limits_.size(); }

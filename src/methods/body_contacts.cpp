@@ -72,32 +72,53 @@ bool BodyContacts::moved_since_search(const Vectors& position) const {
   return false;
 }
 
-void BodyContacts::begin_step(const Vectors& start, const Vectors& predicted) {
+void BodyContacts::begin_step(const std::vector<Grip>& grips, const Vectors& start,
+                              const Vectors& predicted) {
   start_ = &start;
-  if (balls_.empty() || !moved_since_search(predicted)) return;
-  pairs_.clear();
-  centres_.clear();
-  for (const std::uint32_t point : balls_) centres_.push_back(points_.value(point, predicted));
-  fill_grid(centres_);
-  for (std::uint32_t ball = 0; ball < balls_.size(); ++ball) find_pairs(ball, centres_);
-  std::sort(pairs_.begin(), pairs_.end());
+  if (balls_.empty()) return;
+  if (moved_since_search(predicted)) {
+    pairs_.clear();
+    centres_.clear();
+    for (const std::uint32_t point : balls_) centres_.push_back(points_.value(point, predicted));
+    fill_grid(centres_);
+    for (std::uint32_t ball = 0; ball < balls_.size(); ++ball) find_pairs(ball, centres_);
+    std::sort(pairs_.begin(), pairs_.end());
+  }
+  frictions_.clear();
+  if (!points_.any_holds()) return;
+  GripReader known(grips);
+  for (const auto& [a, b] : pairs_) frictions_.emplace_back(known.slip(a, b));
 }
 
-void BodyContacts::solve(Vectors& position) const {
-  for (const auto& [a, b] : pairs_) {
+// How far a has moved since the start of the step, as seen from b.
+Vec3 BodyContacts::moved(std::uint32_t a, std::uint32_t b, const Vectors& position) const {
+  return (points_.value(a, position) - points_.value(a, *start_)) -
+         (points_.value(b, position) - points_.value(b, *start_));
+}
+
+void BodyContacts::solve(Vectors& position) {
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    const auto [a, b] = pairs_[i];
     const double weight_a = points_.weight(a), weight_b = points_.weight(b);
-    const Vec3 x_a = points_.value(a, position), x_b = points_.value(b, position);
-    const Vec3 apart = x_a - x_b;
+    const Vec3 apart = points_.value(a, position) - points_.value(b, position);
     const double distance = apart.norm(),
                  overlap = points_.point(a).radius + points_.point(b).radius - distance;
     if (!(overlap > 0.0) || distance == 0.0 || weight_a + weight_b == 0.0) continue;
-    const Vec3 normal = apart / distance;
-    const Vec3 moved = (x_a - points_.value(a, *start_)) - (x_b - points_.value(b, *start_));
-    const Vec3 slide = moved - normal * moved.dot(normal);
-    const double way = slide.norm(), held = friction * overlap;
-    const Vec3 change = overlap * normal - (way > held ? held / way : 1.0) * slide;
+    const Vec3 normal = apart / distance, way = moved(a, b, position);
+    const bool holds = points_.point(a).holds && points_.point(b).holds;
+    const Vec3 held = holds ? frictions_[i].hold(friction, overlap, normal, way)
+                            : held_back(friction, overlap, normal, way);
+    const Vec3 change = overlap * normal + held;
     points_.move(a, weight_a / (weight_a + weight_b) * change, position);
     points_.move(b, -weight_b / (weight_a + weight_b) * change, position);
+  }
+}
+
+void BodyContacts::keep(const Vectors& position, std::vector<Grip>& grips) const {
+  grips.clear();
+  for (std::size_t i = 0; i < frictions_.size(); ++i) {
+    const auto [a, b] = pairs_[i];
+    if (frictions_[i].touched()) grips.push_back({a, b, frictions_[i].slip(moved(a, b, position))});
   }
 }
 

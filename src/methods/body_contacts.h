@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "contact_points.h"
+#include "grip.h"
 
 namespace taut {
 
@@ -15,12 +16,16 @@ class BodyContacts {
  public:
   explicit BodyContacts(const Model& model);
 
-  /// To be called once positions of the step have been predicted; `start` are those at its start.
-  void begin_step(const Vectors& start, const Vectors& predicted);
+  /// To be called once positions of the step have been predicted; `start` are those at its start, `grips`
+  /// what held there.
+  void begin_step(const std::vector<Grip>& grips, const Vectors& start, const Vectors& predicted);
 
-  /// One pass over the pairs: pushes those that overlap apart, and takes from their sliding on one another at
-  /// most friction × overlap.
-  void solve(Vectors& position) const;
+  /// One pass over the pairs: pushes those that overlap apart, and takes from their sliding on one another
+  /// what Friction holds.
+  void solve(Vectors& position);
+
+  /// What holds at the end of the step.
+  void keep(const Vectors& position, std::vector<Grip>& grips) const;
 
  private:
   using Cell = std::array<std::int64_t, 3>;
@@ -33,6 +38,7 @@ class BodyContacts {
   };
 
   bool moved_since_search(const Vectors& position) const;
+  Vec3 moved(std::uint32_t a, std::uint32_t b, const Vectors& position) const;
   std::size_t bucket_of(const Cell& cell) const;
   void fill_grid(const std::vector<Vec3>& centres);
   void find_pairs(std::uint32_t ball, const std::vector<Vec3>& centres);
@@ -43,6 +49,7 @@ class BodyContacts {
   Grid grid_;
   std::vector<Vec3> centres_;                                   // at the last search
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;  // of points
+  std::vector<Friction> frictions_;  // one a pair, of this step; none where nothing holds
   const Vectors* start_ = nullptr;
 };
 

@@ -15,6 +15,9 @@ class ContactPoints {
   std::uint32_t size() const { return static_cast<std::uint32_t>(weight_.size()); }
   const ContactPoint& point(std::uint32_t i) const { return model_.contacts[i]; }
 
+  /// Whether any of them remembers where it sticks.
+  bool any_holds() const { return any_holds_; }
+
   /// How far a unit push moves the point: Σ wₖ sₖ² (1/kg) with the inverse masses wₖ and its weights sₖ on
   /// them; 0 when all its masses are pinned.
   double weight(std::uint32_t i) const { return weight_[i]; }
@@ -28,6 +31,7 @@ class ContactPoints {
  private:
   const Model& model_;
   std::vector<double> weight_;
+  bool any_holds_ = false;
 };
 
 }  // namespace taut

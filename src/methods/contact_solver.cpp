@@ -11,7 +11,8 @@ constexpr double margin = 0.02;  // m, that links may push something within a st
 
 ContactSolver::ContactSolver(const Model& model) : model_(model), points_(model) {}
 
-void ContactSolver::begin_step(const Vectors& start, const Vectors& velocity, const Vectors& predicted) {
+void ContactSolver::begin_step(const std::vector<Grip>& grips, const Vectors& start, const Vectors& velocity,
+                               const Vectors& predicted) {
   start_ = &start;
   start_velocity_ = &velocity;
   near_.clear();
@@ -23,6 +24,10 @@ void ContactSolver::begin_step(const Vectors& start, const Vectors& velocity, co
       if (nearest_surface(model_.colliders[j].shape, x).distance < points_.point(i).radius + margin)
         near_.push_back({i, j});
   }
+  frictions_.clear();
+  if (!points_.any_holds()) return;
+  GripReader known(grips);
+  for (const Pair& pair : near_) frictions_.emplace_back(known.slip(pair.point, pair.collider));
 }
 
 void ContactSolver::touch(const Pair& pair, const Vec3& normal) {
@@ -32,18 +37,29 @@ void ContactSolver::touch(const Pair& pair, const Vec3& normal) {
 }
 
 void ContactSolver::solve(Vectors& position) {
-  for (const Pair& pair : near_) {
+  for (std::size_t i = 0; i < near_.size(); ++i) {
+    const Pair& pair = near_[i];
     const Collider& collider = model_.colliders[pair.collider];
     const Vec3 x = points_.value(pair.point, position);
     const Surface surface = nearest_surface(collider.shape, x);
     const double depth = points_.point(pair.point).radius - surface.distance;
     if (!(depth > 0.0)) continue;
     const Vec3 moved = x - points_.value(pair.point, *start_);
-    const Vec3 slide = moved - surface.normal * moved.dot(surface.normal);
-    const double way = slide.norm(), held = collider.friction * depth;
-    const double stopped = way > held ? held / way : 1.0;
-    points_.move(pair.point, surface.normal * depth - stopped * slide, position);
+    const Vec3 held = points_.point(pair.point).holds
+                          ? frictions_[i].hold(collider.friction, depth, surface.normal, moved)
+                          : held_back(collider.friction, depth, surface.normal, moved);
+    points_.move(pair.point, surface.normal * depth + held, position);
     if (collider.restitution > 0.0) touch(pair, surface.normal);
+  }
+}
+
+void ContactSolver::keep(const Vectors& position, std::vector<Grip>& grips) const {
+  grips.clear();
+  for (std::size_t i = 0; i < frictions_.size(); ++i) {
+    const auto [point, collider] = near_[i];
+    if (!frictions_[i].touched()) continue;
+    const Vec3 moved = points_.value(point, position) - points_.value(point, *start_);
+    grips.push_back({point, collider, frictions_[i].slip(moved)});
   }
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "contact_points.h"
+#include "grip.h"
 
 namespace taut {
 
@@ -14,13 +15,16 @@ class ContactSolver {
   explicit ContactSolver(const Model& model);
 
   /// To be called once positions of the step have been predicted, with the positions and velocities at its
-  /// start: finds what may touch in this step.
-  void begin_step(const Vectors& start, const Vectors& velocity, const Vectors& predicted);
+  /// start and what held there: finds what may touch in this step.
+  void begin_step(const std::vector<Grip>& grips, const Vectors& start, const Vectors& velocity,
+                  const Vectors& predicted);
 
-  /// One pass: pushes what has entered a solid back to its surface, and takes from its way along the surface,
-  /// counted from the start of the step, at most friction × depth: Coulomb's law for the position changes of
-  /// one step (Macklin et al., Unified Particle Physics, 2014, eq. 24).
+  /// One pass: pushes what has entered a solid back to its surface, and takes from its way along the surface
+  /// what Friction holds.
   void solve(Vectors& position);
+
+  /// What holds at the end of the step.
+  void keep(const Vectors& position, std::vector<Grip>& grips) const;
 
   /// Once velocities have been derived from positions: what has touched a solid that gives something back
   /// leaves it with that share of the speed at which it came (Müller et al., Detailed Rigid Body Simulation
@@ -47,8 +51,9 @@ class ContactSolver {
   ContactPoints points_;
   const Vectors* start_ = nullptr;
   const Vectors* start_velocity_ = nullptr;
-  std::vector<Pair> near_;      // that may touch
-  std::vector<Touch> touches_;  // only of colliders that give something back
+  std::vector<Pair> near_;           // that may touch
+  std::vector<Friction> frictions_;  // one for each of those; none where nothing holds
+  std::vector<Touch> touches_;       // only of colliders that give something back
 };
 
 }  // namespace taut

@@ -16,6 +16,7 @@
 #include "fast_projection.h"
 #include "forces.h"
 #include "implicit_net.h"
+#include "joint_resistance.h"
 #include "link_topology.h"
 #include "methods/method.h"
 #include "parameters.h"
@@ -27,7 +28,7 @@ namespace {
 class NewtonStepper final : public Stepper {
  public:
   NewtonStepper(const Model& model, double steps_per_second)
-      : model_(model), nominal_step_(1.0 / steps_per_second), watch_(model) {}
+      : model_(model), nominal_step_(1.0 / steps_per_second), watch_(model), joints_(model) {}
 
   void links_changed(const State& state) override {
     std::vector<Index> whole;
@@ -47,6 +48,7 @@ class NewtonStepper final : public Stepper {
     position_ = state.position;
     tension_ = state.tension;
     kick(model_, end_time, h, state.velocity, velocity_);
+    joints_.act(state, h, 1.0, velocity_);
     drift(h, state.position, velocity_, position_);
     place_pins(model_, end_time, position_, velocity_);
 
@@ -58,6 +60,7 @@ class NewtonStepper final : public Stepper {
     difference_quotient(h, state.position, position_, velocity_);
     place_pins(model_, end_time, position_, velocity_);
     watch_.take_over(state, position_, velocity_, tension_, h, report);
+    if (report.status == StepStatus::done) joints_.keep(position_, state);
     return report;
   }
 
@@ -67,6 +70,7 @@ class NewtonStepper final : public Stepper {
   const Model& model_;
   double nominal_step_;  // s
   EnergyWatch watch_;
+  JointResistance joints_;
   std::optional<FastProjection> projection_;  // for chains, trees, and whatever has limits …
   std::optional<ImplicitNet> net_;            // … or this one for nets
   Vectors position_, velocity_;

@@ -28,6 +28,7 @@
 #include "active_limits.h"
 #include "base/failure.h"
 #include "forces.h"
+#include "joint_resistance.h"
 #include "link_system.h"
 #include "methods/method.h"
 #include "parameters.h"
@@ -42,7 +43,12 @@ constexpr int most_rounds = 40;
 class RattleStepper final : public Stepper {
  public:
   RattleStepper(const Model& model, int order, double steps_per_second)
-      : model_(model), order_(order), longest_step_(1.0 / steps_per_second), limits_(model), watch_(model) {}
+      : model_(model),
+        order_(order),
+        longest_step_(1.0 / steps_per_second),
+        limits_(model),
+        joints_(model),
+        watch_(model) {}
 
   void links_changed(const State& state) override {
     std::vector<Index> rigid;
@@ -65,16 +71,17 @@ class RattleStepper final : public Stepper {
         1.0 / (2.0 - std::cbrt(2.0));  // Yoshida 1990: three steps of order 2 make one of order 4
     const std::array composition{outer, 1.0 - 2.0 * outer, outer};
     if (order_ == 2) {
-      sub_step(time, h, report);
+      sub_step(state, time, h, report);
     } else {
       for (const double share : composition) {
-        sub_step(time, share * h, report);
+        sub_step(state, time, share * h, report);
         time += share * h;
         if (report.status != StepStatus::done) return report;
       }
     }
     if (report.status != StepStatus::done) return report;
     watch_.take_over(state, position_, velocity_, tension_, h, report);
+    if (report.status == StepStatus::done) joints_.keep(position_, state);
     return report;
   }
 
@@ -92,7 +99,7 @@ class RattleStepper final : public Stepper {
   }
 
   // One step of order 2 on position_ and velocity_.
-  void sub_step(double time, double h, StepReport& report) {
+  void sub_step(const State& start, double time, double h, StepReport& report) {
     const double half = 0.5 * h, end_time = time + h;
     const SystemLinks& links = system_.links;
     link_vectors(links, position_, start_direction_);
@@ -101,6 +108,7 @@ class RattleStepper final : public Stepper {
     half_velocity_ = velocity_;
     kick(model_, time, half, velocity_, half_velocity_, DragAt::start);
     kick_by_springs(springs_, half, position_, velocity_, half_velocity_, spring_tension_);
+    joints_.act(start, h, 0.5, half_velocity_);
     drift(h, start_position_, half_velocity_, position_);
     place_pins(model_, end_time, position_, half_velocity_);
     report.link_solves += spring_kicks * static_cast<std::int64_t>(springs_.links.size());
@@ -110,6 +118,7 @@ class RattleStepper final : public Stepper {
     difference_quotient(h, start_position_, position_, velocity_);
     place_pins(model_, end_time, position_, velocity_);
     kick_at_end(end_time, half);
+    joints_.finish(0.5, position_, velocity_);
     solve_velocities(half, report);
   }
 
@@ -228,6 +237,7 @@ class RattleStepper final : public Stepper {
   int order_;
   double longest_step_;  // s
   ActiveLimits limits_;
+  JointResistance joints_;
   EnergyWatch watch_;
   LinkSystem system_;
   Springs springs_;
@@ -250,7 +260,7 @@ std::unique_ptr<Stepper> make(const Model& model, const Settings& settings) {
   const int order = settings.choice("order") == "4" ? 4 : 2;
   bool damped = model.drag > 0.0 || !model.breakable_links.empty();
   for (const double damping : model.links.damping) damped = damped || damping > 0.0;
-  if (order == 4 && (damped || !model.limits.empty()))
+  if (order == 4 && (damped || !model.limits.empty() || !model.joints.empty()))
     throw BadRequest(
         "method rattle of order 4 has a step that runs backwards in time, which drag, damping, breaking "
         "links and stops do not: "

@@ -21,6 +21,7 @@
 
 #include "base/failure.h"
 #include "forces.h"
+#include "joint_resistance.h"
 #include "limit_solver.h"
 #include "link_order.h"
 #include "link_system.h"
@@ -40,7 +41,8 @@ class ShakeStepper final : public Stepper {
         tolerance_(tolerance),
         longest_step_(1.0 / steps_per_second),
         limits_(model),
-        watch_(model) {}
+        watch_(model),
+        joints_(model) {}
 
   void links_changed(const State& state) override {
     std::vector<Index> rigid;
@@ -64,6 +66,7 @@ class ShakeStepper final : public Stepper {
     tension_ = state.tension;
     kick(model_, state.time, half, state.velocity, velocity_, DragAt::start);
     kick_by_springs(springs_, half, state.position, state.velocity, velocity_, spring_tension_);
+    joints_.act(state, h, 1.0, velocity_);
     drift(h, state.position, velocity_, position_);
     place_pins(model_, end_time, position_, velocity_);
 
@@ -78,6 +81,7 @@ class ShakeStepper final : public Stepper {
     for (std::size_t i = 0; i < links_.size(); ++i)
       tension_[links_.link[i]] = multipliers_[i] * start_direction_.at(i).norm() / (h * h);
     watch_.take_over(state, position_, velocity_, tension_, h, report);
+    if (report.status == StepStatus::done) joints_.keep(position_, state);
     return report;
   }
 
@@ -133,6 +137,7 @@ class ShakeStepper final : public Stepper {
   double longest_step_;  // s
   LimitSolver limits_;
   EnergyWatch watch_;
+  JointResistance joints_;
   SystemLinks links_;
   Springs springs_;
   Vectors position_, velocity_, guess_, start_direction_;

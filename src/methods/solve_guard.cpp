@@ -21,6 +21,7 @@ EnergyWatch::EnergyWatch(const Model& model)
   double force = mass_ * model.gravity.norm();
   for (const Load& load : model.loads) force += load.force.norm() * static_cast<double>(load.masses.size());
   force_scale_ = force * total_link_length(model);
+  for (const Joint& joint : model.joints) force_scale_ += joint.friction;  // through a radian
   for (const DrivenPin& pin : model.driven_pins) driven_[pin.mass] = true;
   for (const Index link : solvable_links(model)) {
     if (!model.links.rigid(link)) springs_.push_back(link);

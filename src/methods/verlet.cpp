@@ -15,6 +15,7 @@
 
 #include "beside_links.h"
 #include "forces.h"
+#include "joint_resistance.h"
 #include "link_order.h"
 #include "methods/method.h"
 #include "parameters.h"
@@ -24,7 +25,8 @@ namespace {
 
 class VerletStepper final : public Stepper {
  public:
-  VerletStepper(const Model& model, int passes) : model_(model), passes_(passes), beside_(model) {}
+  VerletStepper(const Model& model, int passes)
+      : model_(model), passes_(passes), beside_(model), joints_(model) {}
 
   void links_changed(const State& state) override { order_ = coloured_order(model_, state); }
 
@@ -34,9 +36,10 @@ class VerletStepper final : public Stepper {
     const double start_time = state.time, end_time = state.time + h;
     kick(model_, state.time, 0.5 * h, state.velocity, velocity_);
     if (model_.wind) blow(*model_.wind, model_, state, end_time, h, velocity_);
+    joints_.act(state, h, 1.0, velocity_);
     drift(h, start_, velocity_, state.position);
     place_pins(model_, end_time, state.position, velocity_);
-    beside_.begin_step(start_, state.velocity, state.position);
+    beside_.begin_step(start_, state);
     for (int pass = 0; pass < passes_; ++pass) {
       relax(state.position);
       beside_.solve(h, 1.0, state.position);
@@ -55,7 +58,10 @@ class VerletStepper final : public Stepper {
       std::swap(state.velocity, velocity_);
       state.time = start_time;
       report.status = StepStatus::not_finite;
+      return report;
     }
+    beside_.keep(state);
+    joints_.keep(start_, state);
     return report;
   }
 
@@ -77,6 +83,7 @@ class VerletStepper final : public Stepper {
   const Model& model_;
   int passes_;
   BesideLinks beside_;
+  JointResistance joints_;
   OrderedLinks order_;
   Vectors start_, velocity_;
 };

@@ -23,6 +23,7 @@
 #include "base/failure.h"
 #include "beside_links.h"
 #include "forces.h"
+#include "joint_resistance.h"
 #include "link_order.h"
 #include "methods/method.h"
 #include "model/parts.h"
@@ -71,6 +72,7 @@ class XpbdStepper final : public Stepper {
       : model_(model),
         passes_(passes),
         beside_(model),
+        joints_(model),
         equal_weight_(common_weight(model)),
         equal_inverse_weight_(0.5 / equal_weight_) {}
 
@@ -116,10 +118,11 @@ class XpbdStepper final : public Stepper {
     velocity_ = state.velocity;
     kick(model_, end_time, h, state.velocity, velocity_);
     if (model_.wind) blow(*model_.wind, model_, state, end_time, h, velocity_);
+    joints_.act(state, h, 1.0, velocity_);
     drift(h, start_, velocity_, state.position);
     place_pins(model_, end_time, state.position, velocity_);
     multipliers_.assign(links_.size(), 0.0);
-    beside_.begin_step(start_, state.velocity, state.position);
+    beside_.begin_step(start_, state);
     for (int pass = 0; pass < passes_; ++pass) {
       solve_all(state.position, h);
       beside_.solve(h, 1.0 / (1.0 + h * model_.drag), state.position);
@@ -139,6 +142,8 @@ class XpbdStepper final : public Stepper {
       report.status = StepStatus::not_finite;
       return report;
     }
+    beside_.keep(state);
+    joints_.keep(start_, state);
     for (std::size_t i = 0; i < links_.size(); ++i) state.tension[links_[i]] = -multipliers_[i] / (h * h);
     return report;
   }
@@ -231,6 +236,7 @@ class XpbdStepper final : public Stepper {
   const Model& model_;
   int passes_;
   BesideLinks beside_;
+  JointResistance joints_;
   double equal_weight_, equal_inverse_weight_;  // w of all free masses, 1/(2 w); −1 where they differ
   std::vector<PlainLink> plain_;                // colour by colour
   std::vector<WeightedLink> weighted_;          // the rest of each colour: at pins, or where masses differ

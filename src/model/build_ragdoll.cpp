@@ -61,6 +61,13 @@ struct HingeMasses {
   Index left, right;
 };
 
+constexpr double standard_gravity = 9.81;  // m/s²
+
+struct Resistance {
+  double damping;   // N m s/rad
+  double friction;  // N m
+};
+
 class RagdollBuilder {
  public:
   RagdollBuilder(Builder& builder, const RagdollSpec& spec, std::size_t index, std::vector<Problem>& problems)
@@ -85,6 +92,7 @@ class RagdollBuilder {
     ragdoll.bone_count = static_cast<Index>(model.bones.size()) - ragdoll.first_bone;
     ragdoll.limit_count = static_cast<Index>(model.limits.size()) - ragdoll.first_limit;
     model.ragdolls.push_back(std::move(ragdoll));
+    builder_.start.holds.joints.resize(model.joints.size(), Vec3::Zero());
   }
 
  private:
@@ -141,6 +149,28 @@ class RagdollBuilder {
     limit({LimitKind::cone, 6, masses, axis, 0.0, half_angle * degree, 0.0}, pose_key, range_key);
   }
 
+  // The joint that holds these segments, the first of them nearest, resists as they ask for when stretched
+  // out from it in one line.
+  Resistance resistance(std::initializer_list<Segment> segments) const {
+    double reach = 0.0, moment = 0.0, inertia = 0.0;  // shares of height, mass × height, mass × height²
+    const auto put = [&](double mass) {
+      moment += mass * reach;
+      inertia += mass * reach * reach;
+    };
+    for (const Segment& segment : segments) {
+      put(segment.mass * (1.0 - segment.centre));
+      reach += segment.length;
+      put(segment.mass * segment.centre);
+    }
+    return {spec_.joint_damping * inertia * spec_.mass * spec_.height * spec_.height,
+            spec_.joint_friction * standard_gravity * moment * spec_.mass * spec_.height};
+  }
+  void joint(JointKind kind, const std::array<Index, most_limit_masses>& masses,
+             const Resistance& resistance) {
+    if (resistance.damping > 0.0 || resistance.friction > 0.0)
+      builder_.model.joints.push_back({kind, masses, resistance.damping, resistance.friction});
+  }
+
   void add_trunk() {
     const double hips = 0.5 * winter::hip_width, shoulders = 0.5 * winter::shoulder_width,
                  top = winter::trunk.length;
@@ -172,6 +202,8 @@ class RagdollBuilder {
     link_all({head}, {left_shoulder_, right_shoulder_});
     hinge({left_hip_, left_shoulder_, head, left_shoulder_, right_shoulder_}, spec_.ranges.neck, "neck",
           "neck");
+    joint(JointKind::hinge, {left_hip_, left_shoulder_, head, left_shoulder_, right_shoulder_},
+          resistance({winter::head_and_neck}));
     bone({left_shoulder_, right_shoulder_}, {head, head}, 0.030);
     bone({head, head}, {head, head}, head_radius);
   }
@@ -216,6 +248,14 @@ class RagdollBuilder {
           prefix + "elbow", "elbow");
     cone({elbows.left, elbows.right, wrist_mass, wrist_mass, hand, hand}, -wrist.turn.col(1),
          spec_.ranges.wrist, prefix + "elbow", "wrist");
+
+    const Resistance at_shoulder = resistance({winter::upper_arm, winter::forearm, winter::hand});
+    joint(JointKind::swing, {shoulder, other, hip, shoulder, elbows.left, elbows.right}, at_shoulder);
+    joint(JointKind::twist, {shoulder, other, hip, shoulder, elbows.left, elbows.right}, at_shoulder);
+    joint(JointKind::hinge, {shoulder, elbows.left, wrist_mass, elbows.left, elbows.right},
+          resistance({winter::forearm, winter::hand}));
+    joint(JointKind::swing, {elbows.left, elbows.right, wrist_mass, wrist_mass, hand, hand},
+          resistance({winter::hand}));
   }
 
   void add_leg(double side) {
@@ -255,6 +295,14 @@ class RagdollBuilder {
     hinge({hip, knees.left, ankle_mass, knees.left, knees.right}, spec_.ranges.knee, prefix + "knee", "knee");
     cone({knees.left, knees.right, ankle_mass, ankle_mass, toe, toe}, along, spec_.ranges.ankle,
          prefix + "knee", "ankle");
+
+    const Resistance at_hip = resistance({winter::thigh, winter::shank, winter::foot});
+    joint(JointKind::swing, {hip, other, shoulder, hip, knees.left, knees.right}, at_hip);
+    joint(JointKind::twist, {hip, other, shoulder, hip, knees.left, knees.right}, at_hip);
+    joint(JointKind::hinge, {hip, knees.left, ankle_mass, knees.left, knees.right},
+          resistance({winter::shank, winter::foot}));
+    joint(JointKind::swing, {knees.left, knees.right, ankle_mass, ankle_mass, toe, toe},
+          resistance({winter::foot}));
   }
 
   // Weights are now known; all masses move as one rigid body.

@@ -35,7 +35,7 @@ bool plane_is_enough(const Builder& builder, const Description& description) {
 }
 
 ContactPoint ball_on(Index mass, double radius, Index body) {
-  return {{mass, mass, mass, mass}, {1.0, 0.0, 0.0, 0.0}, radius, body};
+  return {{mass, mass, mass, mass}, {1.0, 0.0, 0.0, 0.0}, radius, body, false};
 }
 
 // Lets a mass that the point already rides on carry more, or takes up one more.
@@ -59,6 +59,7 @@ void add_bone_contacts(Builder& builder, const Bone& bone, Index body) {
   for (int i = 0; i <= pieces; ++i) {
     const double share = pieces == 0 ? 0.0 : static_cast<double>(i) / pieces;
     ContactPoint point = ball_on(bone.from[0], bone.radius, body);
+    point.holds = true;
     point.weights[0] = 0.0;
     for (const Index end : bone.from) add_weight(point, end, 0.5 * (1.0 - share));
     for (const Index end : bone.to) add_weight(point, end, 0.5 * share);

@@ -98,6 +98,10 @@ std::string limits_extent(const Model& model) {
   return counted(model.limits.size(), "angle", "angles");
 }
 
+std::string joints_extent(const Model& model) {
+  return counted(model.joints.size(), "joint that resists", "joints that resist");
+}
+
 std::string wind_extent(const Model& model) {
   return model.wind ? fmt::format("{:.4g} m/s", model.wind->velocity.norm()) : "";
 }
@@ -113,6 +117,7 @@ constexpr std::array parts{
     Part{"ground", ground_extent, [](Model& model) { model.plane.reset(); }},
     Part{"solids", solids_extent, remove_solids},
     Part{"limits", limits_extent, [](Model& model) { model.limits.clear(); }},
+    Part{"joints", joints_extent, [](Model& model) { model.joints.clear(); }},
     Part{"wind", wind_extent, [](Model& model) { model.wind.reset(); }},
 };
 

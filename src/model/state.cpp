@@ -25,7 +25,14 @@ std::uint64_t state_hash(const State& state) {
   hash.add(std::span(&state.time, 1));
   for (const Vectors* vectors : {&state.position, &state.velocity})
     for (const auto* axis : {&vectors->x, &vectors->y, &vectors->z}) hash.add(std::span<const double>(*axis));
-  return hash.add(std::span<const double>(state.broken_at)).value();
+  hash.add(std::span<const double>(state.broken_at));
+  for (const std::vector<Grip>* grips : {&state.holds.solids, &state.holds.bodies})
+    for (const Grip& grip : *grips)
+      hash.add(std::as_bytes(std::span(&grip.a, 1)))
+          .add(std::as_bytes(std::span(&grip.b, 1)))
+          .add(std::span(grip.slip.data(), 3));
+  for (const Vec3& slip : state.holds.joints) hash.add(std::span(slip.data(), 3));
+  return hash.value();
 }
 
 bool all_finite(const State& state) {

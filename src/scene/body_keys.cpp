@@ -98,6 +98,15 @@ Keys<RagdollSpec> ragdoll_keys() {
           {.unit = "rad/s", .range = between(-1000, 1000), .help = "at the start, about its centre of mass"}),
       key<RagdollSpec>("pose", &RagdollSpec::pose, {.help = "the joints' angles at the start"}),
       key<RagdollSpec>("ranges", &RagdollSpec::ranges, {.help = "what angles the joints may have"}),
+      key<RagdollSpec>(
+          "joint_damping", &RagdollSpec::joint_damping,
+          {.unit = "1/s",
+           .range = between(0, 1e6),
+           .help = "of each joint, over the moment of inertia about it of all beyond it, stretched out"}),
+      key<RagdollSpec>(
+          "joint_friction", &RagdollSpec::joint_friction,
+          {.range = between(0, 1e6),
+           .help = "of each joint, over the torque that holds all beyond it out level; 1: it just stays"}),
       key<RagdollSpec>("pinned", &RagdollSpec::pinned,
                        {.choices = ragdoll_handles, .help = "what it is held by"}),
       key<RagdollSpec>("collides", &RagdollSpec::collides,

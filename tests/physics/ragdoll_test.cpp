@@ -188,6 +188,48 @@ TEST(Ragdoll, TumblesFreelyAsOneBody) {
   EXPECT_LT((linear_momentum(built.model, end) - before).norm(), 1e-9 * before.norm());
 }
 
+// Friction holds contacts and joints from one step to the next: a run that is taken up again has to know.
+TEST(Ragdoll, ARunTakenUpAgainIsTheSameToTheLastBit) {
+  Scene scene = load_scene(std::filesystem::path(TAUT_SCENE_FOLDER) / "ragdoll-pile.toml");
+  Built built{scene.model, scene.start, {}};
+  built.start = run(built, settings("xpbd", 2400.0, 2.0), 1.0);
+  EXPECT_FALSE(built.start.holds.bodies.empty());
+  EXPECT_FALSE(built.start.holds.solids.empty());
+  const State whole = run(built, settings("xpbd", 2400.0, 2.0), 0.25);
+  built.start = run(built, settings("xpbd", 2400.0, 2.0), 0.125);
+  EXPECT_EQ(state_hash(run(built, settings("xpbd", 2400.0, 2.0), 0.125)), state_hash(whole));
+}
+
+class HoldingMethods : public ::testing::TestWithParam<std::string> {};
+
+// A body that lies on a slope of 25 degrees; friction could hold it up to 31.
+TEST_P(HoldingMethods, ABodyOnASlopeDoesNotCreepWhereFrictionHoldsIt) {
+  Description description;
+  RagdollSpec spec;
+  spec.name = "doll";
+  spec.turn = {-90.0, 0.0, 25.0};
+  spec.position = {0.0, 0.25, 0.0};
+  spec.joint_damping = 2.0;
+  spec.joint_friction = 0.1;
+  description.ragdolls = {spec};
+  PlaneSpec slope;
+  slope.normal = {-std::sin(25.0 / degrees), std::cos(25.0 / degrees), 0.0};
+  slope.friction = 0.6;
+  description.planes = {slope};
+  Built built = build_valid(description);
+  const Settings how = settings(GetParam(), 1200.0, 4.0);
+  built.start = run(built, how, 5.0);
+  const Built later{built.model, run(built, how, 5.0), {}};
+  for (const char* part : {"left_shoulder", "right_shoulder", "left_hip", "right_hip", "back"})
+    EXPECT_LT((place(later, part) - place(built, part)).norm(), 1e-6) << part << ", m in 5 s";
+}
+
+INSTANTIATE_TEST_SUITE_P(Registry, HoldingMethods,
+                         ::testing::ValuesIn(methods_that([](const Capabilities& can) {
+                           return can.limits && can.colliders;
+                         })),
+                         case_name);
+
 class RagdollScenes : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(RagdollScenes, EveryFrameKeepsLimitsJointsAndGround) {

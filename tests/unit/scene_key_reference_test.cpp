@@ -131,6 +131,8 @@ TEST(KeyReference, ListsEveryKeyOfEverySection) {
                                              "ranges.hip_twist",
                                              "ranges.wrist",
                                              "ranges.ankle",
+                                             "joint_damping",
+                                             "joint_friction",
                                              "pinned",
                                              "collides"}));
   EXPECT_EQ(keys_of("`[camera]`"), (Names{"eye", "target", "field_of_view", "orbit", "follow"}));

@@ -198,6 +198,10 @@ struct RagdollSpec {
   Vec3 spin = Vec3::Zero();      ///< rad/s, about its centre of mass
   PoseSpec pose;
   RangeSpec ranges;
+  double joint_damping = 0.0;   ///< 1/s: each joint's damping over the moment of inertia, about the joint, of
+                                ///< all that is beyond it, stretched out
+  double joint_friction = 0.0;  ///< share of the torque that holds all that is beyond a joint out level
+                                ///< against 9.81 m/s²
   std::vector<std::string> pinned;  ///< out of ragdoll_handles
   bool collides = false;            ///< whether it touches other bodies that do so
 };

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/colliders.h"
+#include "model/joints.h"
 #include "model/limits.h"
 #include "model/motion.h"
 #include "model/vectors.h"
@@ -117,6 +118,7 @@ struct Model {
   std::vector<Collider> colliders;  ///< all solids, the ground among them, where there is more than that
   std::vector<ContactPoint> contacts;  ///< what touches them; none without colliders and touching bodies
   std::vector<Limit> limits;
+  std::vector<Joint> joints;  ///< those that resist
   std::optional<Wind> wind;
   std::vector<Triangle> triangles;
   std::vector<Sheet> sheets;

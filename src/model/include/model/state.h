@@ -8,6 +8,20 @@
 
 namespace taut {
 
+/// How far a contact that sticks has given way (m): what friction takes back in the steps to come.
+struct Grip {
+  Index a = 0, b = 0;  ///< a contact point, and a collider or another contact point
+  Vec3 slip = Vec3::Zero();
+};
+
+/// What friction at rest holds on to. Without it a contact that sticks would let go of what one step leaves
+/// undone, every step, and creep.
+struct Holds {
+  std::vector<Grip> solids;  ///< those contact points that hold, on colliders, in order of a and then b
+  std::vector<Grip> bodies;  ///< the same on one another, in the same order
+  std::vector<Vec3> joints;  ///< rad, one a joint: how far it has given way, along JointAngles' directions
+};
+
 /// Everything about a scene's physics that moves. Positions and velocities hold for the same time.
 struct State {
   double time = 0.0;  ///< s
@@ -17,10 +31,13 @@ struct State {
       tension;  ///< N, one a link, pull positive; 0 until a method that knows it has made a step
   std::vector<double> broken_at;  ///< s, one a link; infinity while the link is whole
 
+  Holds holds;
+
   bool broken(std::size_t link) const { return broken_at[link] != infinity; }
 };
 
-/// Hash of time, positions, velocities and broken links: equal exactly when those are equal bit for bit.
+/// Hash of time, positions, velocities, broken links and what friction holds: equal exactly when those are
+/// equal bit for bit.
 std::uint64_t state_hash(const State& state);
 
 /// True when every one of the vectors is finite.
