@@ -118,7 +118,8 @@ int chart(const ChartFlags& flags) {
     if (flags.plans) std::ranges::move(judge_plans(scene, charts.back()), std::back_inserter(verdicts));
   }
   write_chart_page(charts, flags.folder);
-  write_file(std::filesystem::path(flags.folder) / "which-method.md", which_method_table(charts));
+  write_file(std::filesystem::path(flags.folder) / "which-method.md",
+             cheapest_method_table(charts) + "\n" + which_method_table(charts));
   if (flags.plans) write_file(std::filesystem::path(flags.folder) / "plans.md", plan_table(verdicts));
   if (flags.json) {
     std::vector<std::string> parts(charts.size());

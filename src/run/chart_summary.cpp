@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "measure/planner.h"
@@ -39,25 +40,53 @@ std::string duration_of(double seconds) {
   return seconds < 1.0 ? fmt::format("{:.3g} ms", 1e3 * seconds) : fmt::format("{:.3g} s", seconds);
 }
 
-std::string row(const Chart& chart, ErrorKind kind, double error) {
-  struct Entry {
-    std::string name;
-    CostAt cost;
-  };
+struct Entry {
+  std::string name;
+  CostAt cost;
+};
+
+// What methods need for an error, the cheapest first.
+std::vector<Entry> ranked(const Chart& chart, ErrorKind kind, double error) {
   std::vector<Entry> entries;
   for (std::size_t curve = 0; curve < chart.curves.size(); ++curve)
     if (const auto cost = cost_at(chart, curve, kind, error))
       entries.push_back({chart.curves[curve].name, *cost});
   std::ranges::sort(entries, {}, [](const Entry& entry) { return entry.cost.seconds; });
+  return entries;
+}
+
+std::string time_of(const Entry& entry) {
+  return (entry.cost.extrapolated ? "~" : "") + duration_of(entry.cost.seconds);
+}
+
+std::string row(const Chart& chart, ErrorKind kind, double error) {
+  const std::vector<Entry> entries = ranked(chart, kind, error);
   const std::string head = fmt::format("| {} | {}, {:g} % | ", chart.scene, name_of(kind), 100.0 * error);
   if (entries.empty()) return head + "none | | |\n";
   std::vector<std::string> others;
   for (std::size_t i = 1; i < entries.size(); ++i)
     others.push_back(fmt::format("`{}` {}{:.2g}", entries[i].name, entries[i].cost.extrapolated ? "~" : "",
                                  entries[i].cost.seconds / entries.front().cost.seconds));
-  return head + fmt::format("`{}` | {}{} | {} |\n", entries.front().name,
-                            entries.front().cost.extrapolated ? "~" : "",
-                            duration_of(entries.front().cost.seconds), fmt::join(others, ", "));
+  return head + fmt::format("`{}` | {} | {} |\n", entries.front().name, time_of(entries.front()),
+                            fmt::join(others, ", "));
+}
+
+constexpr std::array table_errors{0.1, 0.01, 1e-3, 1e-4};
+
+// By what an error can be judged; nothing where it can't be told from the truth.
+std::optional<ErrorKind> kind_for(const Chart& chart, double error) {
+  const ErrorKind kind = judging_kind(chart.truth, ErrorKind::trajectory, error);
+  if (error <= chart.truth.smallest[kind].value_or(infinity)) return std::nullopt;
+  return kind;
+}
+
+std::string cell(const Chart& chart, double error) {
+  const std::optional<ErrorKind> kind = kind_for(chart, error);
+  if (!kind) return "";
+  const std::vector<Entry> entries = ranked(chart, *kind, error);
+  if (entries.empty()) return "none";
+  return fmt::format("`{}` {}{}", entries.front().name, time_of(entries.front()),
+                     *kind == ErrorKind::trajectory ? "" : fmt::format(" ({})", name_of(*kind)));
 }
 
 }  // namespace
@@ -77,14 +106,24 @@ std::optional<CostAt> cost_at(const Chart& chart, std::size_t curve, ErrorKind k
   return CostAt{along(a, b, error), true};
 }
 
+std::string cheapest_method_table(const std::vector<Chart>& charts) {
+  std::string table = "| scene | looked at until |";
+  for (const double error : table_errors) table += fmt::format(" {:g} % |", 100.0 * error);
+  table += "\n|---|---|---|---|---|---|\n";
+  for (const Chart& chart : charts) {
+    table += fmt::format("| {} | {:.3g} s |", chart.scene, chart.truth.horizon());
+    for (const double error : table_errors) table += fmt::format(" {} |", cell(chart, error));
+    table += "\n";
+  }
+  return table;
+}
+
 std::string which_method_table(const std::vector<Chart>& charts) {
   std::string table =
       "| scene | error | cheapest | time | the others, times as dear |\n|---|---|---|---|---|\n";
   for (const Chart& chart : charts)
-    for (const double error : {0.1, 0.01, 1e-3, 1e-4}) {
-      const ErrorKind kind = judging_kind(chart.truth, ErrorKind::trajectory, error);
-      if (error > chart.truth.smallest[kind].value_or(infinity)) table += row(chart, kind, error);
-    }
+    for (const double error : table_errors)
+      if (const std::optional<ErrorKind> kind = kind_for(chart, error)) table += row(chart, *kind, error);
   return table;
 }
 
