@@ -123,6 +123,7 @@ struct Summed {
 
 Summaries summaries_of(const Model& model, const std::vector<State>& states) {
   Summaries summaries;
+  summaries.reserve(states.size());
   for (const State& state : states) summaries.push_back(summary_of(model, state));
   return summaries;
 }
@@ -229,6 +230,7 @@ Truth agreed_summaries(const Model& model, const State& start, const std::vector
   truth.times = times;
   truth.remark = why;
   std::vector<Summed> all;
+  all.reserve(opinions.size());
   for (const Opinion& opinion : opinions)
     all.push_back({&opinion, summaries_of(model, opinion.coarse), summaries_of(model, opinion.fine)});
   const Comparison comparison(model, start);

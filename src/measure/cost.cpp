@@ -47,7 +47,8 @@ double predicted_seconds(const Model& model, std::string_view method, const Step
              limits = static_cast<double>(model.limits.size()), rounds = static_cast<double>(counts.rounds);
   const bool dense = price.factor > 0.0 && limits > 0.0;
   return 1e-9 *
-         (price.step * steps * rows + price.solve * static_cast<double>(counts.link_solves) +
+         (any_step * steps + price.step * steps * rows +
+          price.solve * static_cast<double>(counts.link_solves) +
           price.factor * static_cast<double>(counts.factorisations) * rows * std::sqrt(rows) +
           (dense ? dense_round * rounds * std::pow(rows + limits, 3.0) : 0.0) +
           limit_round * rounds * limits + contact_step * steps * static_cast<double>(model.contacts.size()));
