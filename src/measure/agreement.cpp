@@ -51,11 +51,6 @@ struct Pair {
   const Opinion *first = nullptr, *second = nullptr;
 };
 
-bool one_method_alone(const std::vector<Opinion>& opinions) {
-  return std::ranges::all_of(
-      opinions, [&](const Opinion& opinion) { return opinion.method == opinions.front().method; });
-}
-
 bool may_agree(const Opinion& a, const Opinion& b, bool alone) {
   return a.method < b.method || (alone && &a == &b);
 }
@@ -185,6 +180,11 @@ void set_limit(Truth& truth, ErrorKind kind, double uncertainty) {
 }
 
 }  // namespace
+
+bool one_method_alone(const std::vector<Opinion>& opinions) {
+  return std::ranges::all_of(
+      opinions, [&](const Opinion& opinion) { return opinion.method == opinions.front().method; });
+}
 
 std::vector<Opinion> opinions_of(const Model& model, const State& start, const std::vector<double>& times,
                                  double most_seconds) {

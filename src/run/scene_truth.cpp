@@ -92,8 +92,11 @@ std::optional<Truth> motion_by_agreement(const Scene& scene, double horizon, dou
                                          double most_seconds) {
   for (const double until : {horizon, horizon / 8.0}) {
     if (until < enough * calm_until) break;
-    auto truth = agreed_motion(scene.model, scene.start,
-                               opinions_of(scene.model, scene.start, instants_until(until), most_seconds));
+    const std::vector<Opinion> opinions =
+        opinions_of(scene.model, scene.start, instants_until(until), most_seconds);
+    // Until the first event more methods have a say.
+    if (calm_until < horizon && one_method_alone(opinions)) break;
+    auto truth = agreed_motion(scene.model, scene.start, opinions);
     if (truth && truth->horizon() >= enough * calm_until) return truth;
   }
   return std::nullopt;

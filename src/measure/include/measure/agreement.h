@@ -24,6 +24,9 @@ struct Opinion {
 std::vector<Opinion> opinions_of(const Model& model, const State& start, const std::vector<double>& times,
                                  double most_seconds);
 
+/// Whether all opinions are of one method.
+bool one_method_alone(const std::vector<Opinion>& opinions);
+
 /// The motion on which two methods agree longest, with themselves at half the step and with each other,
 /// within a thousandth of the scene's size, or, where that reaches twice as far, within a hundredth; nothing
 /// where none do at the first time. Where one method alone can do the scene, it is its own second opinion,
