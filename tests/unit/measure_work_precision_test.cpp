@@ -119,20 +119,22 @@ TEST(GridWalk, GoesTheSameWayTwiceRunsNoPointTwiceAndStopsAtItsLimit) {
   EXPECT_GT(walked(built, truth, 1e-3).size(), points.size());
 }
 
-// A single link is solved by one pass: more passes can't reach the front, and few are tried.
+// A single link is solved by one pass. 64 passes cost more than a halved step, which has half the error:
+// their rows are given up after two points each.
 TEST(GridWalk, GivesUpPassesThatDoNotPay) {
   const Built built = pendulum();
   const Truth truth = pendulum_truth(built);
-  GridWalk walk(built.model, curves_for(built.model, {"verlet"}).curves, truth, 1e-3);
+  const std::vector<Curve> curves = curves_for(built.model, {"verlet"}).curves;
+  GridWalk walk(built.model, curves, truth, 1e-3);
+  constexpr int row_of_64 = 3;
   std::size_t dear = 0;
   while (const auto point = walk.next()) {
-    dear += point->row >= 2;
+    dear += point->row >= row_of_64;
     walk.record(judge_run(built.model, built.start, truth,
-                          settings_at(curves_for(built.model, {"verlet"}).curves[0],
-                                      point->steps_per_second(), point->passes())));
+                          settings_at(curves[0], point->steps_per_second(), point->passes())));
   }
-  EXPECT_LE(dear, 6U);
-  EXPECT_GT(walk.counts().off_front, 30U);
+  EXPECT_LE(dear, 4U);
+  EXPECT_GE(walk.counts().off_front, 26U) << "of two rows of 15";
 }
 
 TEST(ParetoFront, HoldsWhatNothingBeats) {
