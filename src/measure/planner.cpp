@@ -82,6 +82,10 @@ Search search(const Model& model, const State& start, const Truth& truth, ErrorK
 
 }  // namespace
 
+double wanted_error(const AccuracyTarget& target, const Model& model, const State& start) {
+  return target.metres ? target.error / scene_size(model, start) : target.error;
+}
+
 ErrorKind judging_kind(const Truth& truth, ErrorKind kind, double wanted) {
   const auto can_judge = [&](ErrorKind tried) { return truth.smallest[tried].value_or(infinity) <= wanted; };
   if (can_judge(kind)) return kind;
@@ -91,7 +95,7 @@ ErrorKind judging_kind(const Truth& truth, ErrorKind kind, double wanted) {
 
 Plan make_plan(const Model& model, const State& start, const Truth& truth, double duration,
                const AccuracyTarget& target, std::string_view only) {
-  const double wanted = target.metres ? target.error / scene_size(model, start) : target.error;
+  const double wanted = wanted_error(target, model, start);
   const ErrorKind kind = judging_kind(truth, target.kind, wanted);
   if (!truth.smallest[kind]) return plan_without_truth(truth, wanted);
   const std::vector<std::string> methods =

@@ -15,7 +15,14 @@ inline Vec3 held_back(double coefficient, double depth, const Vec3& normal, cons
   return -((way > most ? most / way : 1.0) * slide);
 }
 
-/// The same for a contact that holds: summed over the passes of a step, and with a memory.
+/// A vector, shortened where it is longer than that.
+template <class Vector>
+Vector no_longer_than(double most, const Vector& vector) {
+  const double size = vector.norm();
+  return size > most ? Vector(vector * (most / size)) : vector;
+}
+
+/// held_back() for a contact that holds: summed over the passes of a step, and with a memory.
 ///
 /// The way to be taken back is the slip that the step began with, and what the contact has moved along the
 /// surface since. At the end of the step a part of it is left: what the links have not yet answered.
@@ -32,21 +39,17 @@ class Friction {
     normal_ = normal;
     most_ = coefficient * pushed_;
     const Vec3 before = held_;
-    held_ = no_longer_than(most_, held_ - along(slip_ + moved));
+    held_ = no_longer_than<Vec3>(most_, held_ - along(slip_ + moved));
     return held_ - before;
   }
 
   bool touched() const { return pushed_ > 0.0; }
 
   /// The slip to be kept for the next step.
-  Vec3 slip(const Vec3& moved) const { return no_longer_than(most_, along(slip_ + moved)); }
+  Vec3 slip(const Vec3& moved) const { return no_longer_than<Vec3>(most_, along(slip_ + moved)); }
 
  private:
   Vec3 along(const Vec3& way) const { return way - normal_ * way.dot(normal_); }
-  static Vec3 no_longer_than(double most, const Vec3& way) {
-    const double size = way.norm();
-    return size > most ? Vec3(way * (most / size)) : way;
-  }
 
   Vec3 slip_ = Vec3::Zero();
   Vec3 held_ = Vec3::Zero();  // m, taken from the way by all passes

@@ -20,6 +20,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "grip.h"
+
 namespace taut {
 namespace {
 
@@ -70,11 +72,6 @@ void push(const JointAngles& angles, const Gradients& along, const std::vector<d
       velocity.add(limit.masses[i], (inverse_mass[limit.masses[i]] * impulse[static_cast<Eigen::Index>(k)]) *
                                         along[k].gradient[i]);
   }
-}
-
-Eigen::Vector2d no_longer_than(double most, const Eigen::Vector2d& vector) {
-  const double size = vector.norm();
-  return size > most ? Eigen::Vector2d(vector * (most / size)) : vector;
 }
 
 }  // namespace

@@ -135,11 +135,13 @@ class RagdollBuilder {
            ""});
     builder_.model.limits.push_back(limit);
   }
+  // A limit and a joint that turn about the same axis.
   void hinge(const std::array<Index, 5>& masses, const std::array<double, 2>& range,
-             std::string_view pose_key, std::string_view range_key) {
+             std::string_view pose_key, std::string_view range_key, const Resistance& resistance) {
     Limit made{LimitKind::hinge, 5, {}, Vec3::UnitX(), range[0] * degree, range[1] * degree, 0.0};
     std::copy(masses.begin(), masses.end(), made.masses.begin());
     limit(made, pose_key, range_key);
+    joint(JointKind::hinge, made.masses, resistance);
   }
   // A cone about a direction given in the body's frame, as that is turned by `turn` at the start.
   void cone(const std::array<Index, 6>& masses, const Vec3& direction, double half_angle,
@@ -169,6 +171,10 @@ class RagdollBuilder {
              const Resistance& resistance) {
     if (resistance.damping > 0.0 || resistance.friction > 0.0)
       builder_.model.joints.push_back({kind, masses, resistance.damping, resistance.friction});
+  }
+  void ball_joint(const std::array<Index, most_limit_masses>& masses, const Resistance& resistance) {
+    joint(JointKind::swing, masses, resistance);
+    joint(JointKind::twist, masses, resistance);
   }
 
   void add_trunk() {
@@ -201,9 +207,7 @@ class RagdollBuilder {
     weigh(head, winter::head_and_neck.mass);
     link_all({head}, {left_shoulder_, right_shoulder_});
     hinge({left_hip_, left_shoulder_, head, left_shoulder_, right_shoulder_}, spec_.ranges.neck, "neck",
-          "neck");
-    joint(JointKind::hinge, {left_hip_, left_shoulder_, head, left_shoulder_, right_shoulder_},
-          resistance({winter::head_and_neck}));
+          "neck", resistance({winter::head_and_neck}));
     bone({left_shoulder_, right_shoulder_}, {head, head}, 0.030);
     bone({head, head}, {head, head}, head_radius);
   }
@@ -242,20 +246,15 @@ class RagdollBuilder {
     bone({wrist_mass, wrist_mass}, {hand, hand}, 0.020);
 
     const Index other = left ? right_shoulder_ : left_shoulder_, hip = left ? left_hip_ : right_hip_;
-    cone({shoulder, other, hip, shoulder, elbows.left, elbows.right}, axis_direction(shoulder_axis, side),
-         spec_.ranges.shoulder, prefix + "shoulder", "shoulder");
+    const std::array upper_arm{shoulder, other, hip, shoulder, elbows.left, elbows.right},
+        hand_at_wrist{elbows.left, elbows.right, wrist_mass, wrist_mass, hand, hand};
+    cone(upper_arm, axis_direction(shoulder_axis, side), spec_.ranges.shoulder, prefix + "shoulder",
+         "shoulder");
+    ball_joint(upper_arm, resistance({winter::upper_arm, winter::forearm, winter::hand}));
     hinge({shoulder, elbows.left, wrist_mass, elbows.left, elbows.right}, spec_.ranges.elbow,
-          prefix + "elbow", "elbow");
-    cone({elbows.left, elbows.right, wrist_mass, wrist_mass, hand, hand}, -wrist.turn.col(1),
-         spec_.ranges.wrist, prefix + "elbow", "wrist");
-
-    const Resistance at_shoulder = resistance({winter::upper_arm, winter::forearm, winter::hand});
-    joint(JointKind::swing, {shoulder, other, hip, shoulder, elbows.left, elbows.right}, at_shoulder);
-    joint(JointKind::twist, {shoulder, other, hip, shoulder, elbows.left, elbows.right}, at_shoulder);
-    joint(JointKind::hinge, {shoulder, elbows.left, wrist_mass, elbows.left, elbows.right},
-          resistance({winter::forearm, winter::hand}));
-    joint(JointKind::swing, {elbows.left, elbows.right, wrist_mass, wrist_mass, hand, hand},
-          resistance({winter::hand}));
+          prefix + "elbow", "elbow", resistance({winter::forearm, winter::hand}));
+    cone(hand_at_wrist, -wrist.turn.col(1), spec_.ranges.wrist, prefix + "elbow", "wrist");
+    joint(JointKind::swing, hand_at_wrist, resistance({winter::hand}));
   }
 
   void add_leg(double side) {
@@ -288,21 +287,16 @@ class RagdollBuilder {
     bone({ankle_mass, ankle_mass}, {toe, toe}, toe_height);
 
     const Index shoulder = left ? left_shoulder_ : right_shoulder_;
-    cone({hip, other, shoulder, hip, knees.left, knees.right}, axis_direction(hip_axis, side),
-         spec_.ranges.hip, prefix + "hip", "hip");
+    const std::array thigh{hip, other, shoulder, hip, knees.left, knees.right},
+        foot_at_ankle{knees.left, knees.right, ankle_mass, ankle_mass, toe, toe};
+    cone(thigh, axis_direction(hip_axis, side), spec_.ranges.hip, prefix + "hip", "hip");
     cone({hip, other, shoulder, knees.left, knees.right, knees.right}, right_hand_side,
          spec_.ranges.hip_twist, prefix + "hip_out", "hip_twist");
-    hinge({hip, knees.left, ankle_mass, knees.left, knees.right}, spec_.ranges.knee, prefix + "knee", "knee");
-    cone({knees.left, knees.right, ankle_mass, ankle_mass, toe, toe}, along, spec_.ranges.ankle,
-         prefix + "knee", "ankle");
-
-    const Resistance at_hip = resistance({winter::thigh, winter::shank, winter::foot});
-    joint(JointKind::swing, {hip, other, shoulder, hip, knees.left, knees.right}, at_hip);
-    joint(JointKind::twist, {hip, other, shoulder, hip, knees.left, knees.right}, at_hip);
-    joint(JointKind::hinge, {hip, knees.left, ankle_mass, knees.left, knees.right},
+    ball_joint(thigh, resistance({winter::thigh, winter::shank, winter::foot}));
+    hinge({hip, knees.left, ankle_mass, knees.left, knees.right}, spec_.ranges.knee, prefix + "knee", "knee",
           resistance({winter::shank, winter::foot}));
-    joint(JointKind::swing, {knees.left, knees.right, ankle_mass, ankle_mass, toe, toe},
-          resistance({winter::foot}));
+    cone(foot_at_ankle, along, spec_.ranges.ankle, prefix + "knee", "ankle");
+    joint(JointKind::swing, foot_at_ankle, resistance({winter::foot}));
   }
 
   // Weights are now known; all masses move as one rigid body.

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "measure/cost.h"
-#include "measure/measures.h"
 #include "run/scene_truth.h"
 
 namespace taut {
@@ -41,7 +40,7 @@ Truth truth_for(const Scene& scene, const AccuracyTarget& target, double wanted,
 
 Plan plan_scene(const Scene& scene, const AccuracyTarget& target, std::string_view only,
                 const std::filesystem::path& folder) {
-  const double wanted = target.metres ? target.error / scene_size(scene.model, scene.start) : target.error;
+  const double wanted = wanted_error(target, scene.model, scene.start);
   return make_plan(scene.model, scene.start, truth_for(scene, target, wanted, folder), scene.duration, target,
                    only);
 }

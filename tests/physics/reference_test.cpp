@@ -87,7 +87,8 @@ TEST(Reference, IsCutBeforeTheGroundIsTouched) {
   const Reference reference = make_reference(built.model, built.start, {0.1, 0.2, 0.3, 0.5}, 1e-6);
   ASSERT_TRUE(reference.certified()) << reference.refusal;
   EXPECT_EQ(reference.certified_until, 0.2);
-  EXPECT_EQ(time_before(*event) > 0.2 && time_before(*event) < 0.3, true);
+  EXPECT_GT(time_before(*event), 0.2);
+  EXPECT_LT(time_before(*event), 0.3);
 }
 
 TEST(Event, IsFoundOnlyWhereSomethingHappens) {

@@ -11,16 +11,24 @@
 namespace taut {
 namespace {
 
-Built pendulum() {
+// The same pendulum so many times in one place.
+Built pendulums(int count) {
   Description description;
-  MassSpec pivot, bob;
-  pivot.name = "pivot";
-  pivot.pinned = true;
-  bob.name = "bob";
-  bob.position = {1.0, 0.0, 0.0};
-  description.masses = {pivot, bob};
-  description.links = {LinkSpec{"pivot", "bob", 1.0, {}}};
+  for (int i = 0; i < count; ++i) {
+    MassSpec pivot, bob;
+    pivot.name = "pivot" + std::to_string(i);
+    pivot.pinned = true;
+    bob.name = "bob" + std::to_string(i);
+    bob.position = {1.0, 0.0, 0.0};
+    description.masses.push_back(pivot);
+    description.masses.push_back(bob);
+    description.links.push_back(LinkSpec{pivot.name, bob.name, 1.0, {}});
+  }
   return build(description);
+}
+
+Built pendulum() {
+  return pendulums(1);
 }
 
 // The exact motion of the pendulum, as a truth.
@@ -31,8 +39,10 @@ Truth pendulum_truth(const Built& built) {
     const double speed = std::sqrt(2.0 * 9.81 * std::sin(angle));  // before the first turning point at 1.18 s
     State state = built.start;
     state.time = time;
-    state.position.set(1, {std::cos(angle), -std::sin(angle), 0.0});
-    state.velocity.set(1, {-speed * std::sin(angle), -speed * std::cos(angle), 0.0});
+    for (std::size_t bob = 1; bob < state.position.size(); bob += 2) {
+      state.position.set(bob, {std::cos(angle), -std::sin(angle), 0.0});
+      state.velocity.set(bob, {-speed * std::sin(angle), -speed * std::cos(angle), 0.0});
+    }
     reference.states.push_back(state);
   }
   reference.uncertainty = 1e-12;
@@ -119,22 +129,21 @@ TEST(GridWalk, GoesTheSameWayTwiceRunsNoPointTwiceAndStopsAtItsLimit) {
   EXPECT_GT(walked(built, truth, 1e-3).size(), points.size());
 }
 
-// A single link is solved by one pass. 64 passes cost more than a halved step, which has half the error:
-// their rows are given up after two points each.
+// Links that share no mass are solved by one pass: more passes can't reach the front, and few are tried.
+// There are forty, so that passes cost what links cost, and not what a step costs anyway.
 TEST(GridWalk, GivesUpPassesThatDoNotPay) {
-  const Built built = pendulum();
+  const Built built = pendulums(40);
   const Truth truth = pendulum_truth(built);
   const std::vector<Curve> curves = curves_for(built.model, {"verlet"}).curves;
-  GridWalk walk(built.model, curves, truth, 1e-3);
-  constexpr int row_of_64 = 3;
+  GridWalk walk(built.model, curves, truth, 1e-2);
   std::size_t dear = 0;
   while (const auto point = walk.next()) {
-    dear += point->row >= row_of_64;
+    dear += point->row >= 2;
     walk.record(judge_run(built.model, built.start, truth,
                           settings_at(curves[0], point->steps_per_second(), point->passes())));
   }
-  EXPECT_LE(dear, 4U);
-  EXPECT_GE(walk.counts().off_front, 26U) << "of two rows of 15";
+  EXPECT_LE(dear, 6U);
+  EXPECT_GT(walk.counts().off_front, 30U);
 }
 
 TEST(ParetoFront, HoldsWhatNothingBeats) {

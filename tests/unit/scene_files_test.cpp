@@ -1,27 +1,20 @@
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
 
 #include "base/failure.h"
 #include "scene/scene.h"
+#include "temporary_folder.h"
 
 namespace taut {
 namespace {
 
 const std::string rope = "[[chain]]\nname = \"rope\"\nfrom = [0, 2, 0]\nto = [2, 2, 0]\n";
 
-// Files of its own, gone at the end.
-class SceneFiles : public testing::Test {
+class SceneFiles : public ::testing::Test {
  protected:
-  SceneFiles() {
-    std::string name = (std::filesystem::temp_directory_path() / "taut-scene-XXXXXX").string();
-    folder_ = mkdtemp(name.data());
-  }
-  ~SceneFiles() override { std::filesystem::remove_all(folder_); }
-
   std::string errors_of_file(const std::filesystem::path& file) const {
     try {
       load_scene(file);
@@ -31,11 +24,10 @@ class SceneFiles : public testing::Test {
     }
   }
   std::filesystem::path write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-    return folder_ / name;
+    return folder_.write(name, text);
   }
 
-  std::filesystem::path folder_;
+  testing::TemporaryFolder folder_;
 };
 
 TEST_F(SceneFiles, AreReadAndNamedAfterTheFile) {
@@ -46,9 +38,9 @@ TEST_F(SceneFiles, AreReadAndNamedAfterTheFile) {
 }
 
 TEST_F(SceneFiles, ThatCannotBeRead) {
-  const std::filesystem::path missing = folder_ / "missing.toml";
+  const std::filesystem::path missing = folder_.path() / "missing.toml";
   EXPECT_EQ(errors_of_file(missing), missing.string() + ": no such file");
-  EXPECT_EQ(errors_of_file(folder_), folder_.string() + ": a directory, not a scene file");
+  EXPECT_EQ(errors_of_file(folder_.path()), folder_.path().string() + ": a directory, not a scene file");
   const std::filesystem::path empty = write("empty.toml", "");
   EXPECT_EQ(errors_of_file(empty), empty.string() + ": the file is empty");
 }

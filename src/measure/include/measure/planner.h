@@ -35,6 +35,9 @@ struct Plan {
   std::string why;                         ///< a sentence for people: what was chosen and why
 };
 
+/// A target's error as Errors has it.
+double wanted_error(const AccuracyTarget& target, const Model& model, const State& start);
+
 /// The kind of error by which a truth judges a target: the target's, or the sag where that alone can be told
 /// finely enough.
 ErrorKind judging_kind(const Truth& truth, ErrorKind kind, double wanted);
