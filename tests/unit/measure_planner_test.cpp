@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "measure/cost.h"
 #include "measure/work_precision.h"
 #include "run/scene_plan.h"
 #include "run/scene_truth.h"
@@ -68,6 +69,26 @@ TEST(Plan, AFinerTargetCostsMore) {
     EXPECT_GT(plan.predicted_seconds, before) << plan.why;
     before = plan.predicted_seconds;
   }
+}
+
+// Every method at every step that the plan could have had, by brute force.
+TEST(Plan, IsNoDearerThanAnyRunThatIsGoodEnough) {
+  const Scene scene = scene_named("chain-20");
+  const testing::TemporaryFolder folder;
+  constexpr double wanted = 0.01, well_within = 0.5 * wanted;
+  const Plan plan = plan_scene(scene, {ErrorKind::trajectory, wanted, false}, {}, folder.path());
+  const Truth truth = scene_truth(scene, {}, folder.path());
+  int good = 0;
+  for (const Curve& curve : curves_for(scene.model).curves)
+    for (double rate = 60.0; rate <= 8000.0; rate *= 2.0) {
+      const JudgedRun run = judge_run(scene.model, scene.start, truth, settings_at(curve, rate, 1));
+      if (run.diverged || *run.errors[ErrorKind::trajectory] > well_within) continue;
+      ++good;
+      EXPECT_GE(predicted_seconds(scene.model, curve.settings.method, run.counts, rate * scene.duration),
+                plan.predicted_seconds)
+          << curve.name << " at " << rate << "; " << plan.why;
+    }
+  EXPECT_GT(good, 5);
 }
 
 }  // namespace
