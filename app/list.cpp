@@ -53,7 +53,6 @@ Json method_to_json(const Method& method) {
             {"plane", method.can.plane},
             {"limits", method.can.limits},
             {"colliders", method.can.colliders},
-            {"wind", method.can.wind},
             {"drag", method.can.drag},
             {"break_stretch", method.can.break_stretch},
             {"break_tension", method.can.break_tension}}}};

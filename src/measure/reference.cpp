@@ -144,7 +144,6 @@ Reference calm_reference(const Model& model, const State& start, const std::vect
 
 Reference make_reference(const Model& model, const State& start, const std::vector<double>& times,
                          double accuracy) {
-  if (model.wind) return refused("the reference knows no wind");
   const std::optional<Event> event = first_event(model, start, times.back());
   if (!event) return calm_reference(without_events(model), start, times, accuracy);
   std::vector<double> calm_times = times;

@@ -26,6 +26,7 @@ void along_links(const SystemLinks& links, const Vectors& direction, const Vecto
 
 struct AccelerationField::Parts {
   const Model& model;
+  State whole;  // for what is broken in it
   LinkSystem system;
   Springs springs;
   std::vector<double> no_compliance, multipliers, spring_tension;
@@ -34,6 +35,7 @@ struct AccelerationField::Parts {
 
 AccelerationField::AccelerationField(const Model& model, const State& state)
     : parts_(new Parts{model,
+                       state,
                        make_link_system(model, whole_rigid_links(model, state)),
                        gather_springs(model, state),
                        {},
@@ -55,6 +57,7 @@ bool AccelerationField::evaluate(double time, const Vectors& position, const Vec
   kick(p.model, time, 1.0, velocity, acceleration, DragAt::start);
   kick_by_springs(p.springs, 1.0, position, velocity, acceleration, p.spring_tension);
   for (std::size_t i = 0; i < velocity.size(); ++i) acceleration.add(i, -velocity.at(i));
+  add_wind(p.model, p.whole, position, velocity, time, acceleration);
   for (const DrivenPin& pin : p.model.driven_pins)
     acceleration.set(pin.mass, acceleration_at(pin.motion, time));
 

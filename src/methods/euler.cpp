@@ -37,6 +37,7 @@ class EulerStepper final : public Stepper {
     StepReport report;
     next.time += h;
     kick(model_, next.time, h, state.velocity, next.velocity);
+    blow(model_, state, state.position, state.velocity, next.time, h, next.velocity);
     drift(h, state.position, next.velocity, next.position);
     place_pins(model_, next.time, next.position, next.velocity);
     for (int pass = 0; pass < passes_; ++pass) relax(next, report);

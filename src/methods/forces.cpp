@@ -23,6 +23,37 @@ void difference_axis(double rate, const std::vector<double>& from, const std::ve
   for (std::size_t i = 0; i < from.size(); ++i) velocity[i] = (to[i] - from[i]) * rate;
 }
 
+// The wind's push on a triangle.
+struct WindPush {
+  Vec3 force = Vec3::Zero();  // N, on each of its masses
+  double rate = 0.0;          // 1/s: the share of the difference in speed that it takes away
+};
+
+// Visits the triangles that are whole with visit(triangle, push).
+template <class Visit>
+void visit_pushes(const Model& model, const State& state, const Vectors& position, const Vectors& velocity,
+                  double time, const Visit& visit) {
+  if (!model.wind) return;
+  const Wind& wind = *model.wind;
+  const Vec3 air = wind_at(wind, time);
+  const std::vector<double>& inverse_mass = model.masses.inverse_mass;
+  for (const Triangle& triangle : model.triangles) {
+    const auto& [a, b, c] = triangle.masses;
+    if (std::any_of(triangle.links.begin(), triangle.links.end(),
+                    [&state](Index link) { return link != no_link && state.broken(link); }))
+      continue;
+    const Vec3 across = 0.5 * (position.at(b) - position.at(a)).cross(position.at(c) - position.at(a));
+    const double area = across.norm();
+    if (area == 0.0) continue;
+    const Vec3 normal = across / area;
+    const Vec3 moving = (velocity.at(a) + velocity.at(b) + velocity.at(c)) / 3.0;
+    const double speed = (air - moving).dot(normal);
+    const double force = wind.density * wind.drag_coefficient * area * std::abs(speed) / 6.0;
+    visit(triangle, WindPush{(force * speed) * normal,
+                             force * (inverse_mass[a] + inverse_mass[b] + inverse_mass[c]) / 3.0});
+  }
+}
+
 }  // namespace
 
 void kick(const Model& model, double load_time, double h, const Vectors& velocity, Vectors& kicked,
@@ -41,29 +72,22 @@ void kick(const Model& model, double load_time, double h, const Vectors& velocit
   }
 }
 
-void blow(const Wind& wind, const Model& model, const State& state, double time, double h,
-          Vectors& velocity) {
-  const Vec3 air = wind_at(wind, time);
-  const std::vector<double>& inverse_mass = model.masses.inverse_mass;
-  for (const Triangle& triangle : model.triangles) {
-    const auto& [a, b, c] = triangle.masses;
-    if (std::any_of(triangle.links.begin(), triangle.links.end(),
-                    [&state](Index link) { return link != no_link && state.broken(link); }))
-      continue;
-    const Vec3 across =
-        0.5 *
-        (state.position.at(b) - state.position.at(a)).cross(state.position.at(c) - state.position.at(a));
-    const double area = across.norm();
-    if (area == 0.0) continue;
-    const Vec3 normal = across / area;
-    const Vec3 moving = (state.velocity.at(a) + state.velocity.at(b) + state.velocity.at(c)) / 3.0;
-    const double wind_speed = (air - moving).dot(normal);
-    // Impulse on each mass per metre a second, and how much of the difference in speed it would take away.
-    const double push = wind.density * wind.drag_coefficient * area * std::abs(wind_speed) * h / 6.0;
-    const double taken = push * (inverse_mass[a] + inverse_mass[b] + inverse_mass[c]) / 3.0;
-    const Vec3 impulse = (push / (1.0 + taken) * wind_speed) * normal;
-    for (const Index mass : triangle.masses) velocity.add(mass, inverse_mass[mass] * impulse);
-  }
+void blow(const Model& model, const State& state, const Vectors& position, const Vectors& velocity,
+          double time, double h, Vectors& kicked, DragAt drag_at) {
+  visit_pushes(model, state, position, velocity, time, [&](const Triangle& triangle, const WindPush& push) {
+    const double taken = h * push.rate;
+    const double share = drag_at == DragAt::end ? 1.0 / (1.0 + taken) : std::min(1.0, 1.0 / taken);
+    for (const Index mass : triangle.masses)
+      kicked.add(mass, (h * share * model.masses.inverse_mass[mass]) * push.force);
+  });
+}
+
+void add_wind(const Model& model, const State& state, const Vectors& position, const Vectors& velocity,
+              double time, Vectors& acceleration) {
+  visit_pushes(model, state, position, velocity, time, [&](const Triangle& triangle, const WindPush& push) {
+    for (const Index mass : triangle.masses)
+      acceleration.add(mass, model.masses.inverse_mass[mass] * push.force);
+  });
 }
 
 void drift(double h, const Vectors& position, const Vectors& velocity, Vectors& moved) {

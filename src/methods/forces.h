@@ -15,10 +15,17 @@ enum class DragAt { end, start };
 void kick(const Model& model, double load_time, double h, const Vectors& velocity, Vectors& kicked,
           DragAt drag_at = DragAt::end);
 
-/// Lets the wind blow on the sheets' whole triangles for h seconds: each, of area A and unit normal n, is
-/// pushed by F = ρ C A |u·n| (u·n) n/2, u being the air's velocity relative to it, whichever side faces it.
-/// Its three masses share F; the push never overtakes the air.
-void blow(const Wind& wind, const Model& model, const State& state, double time, double h, Vectors& velocity);
+/// Lets the wind, where there is one, blow for h seconds on the sheets' triangles that are whole in `state`:
+/// each, of area A and unit normal n, is pushed by F = ρ C A |u·n| (u·n) n/2, u being the air's velocity
+/// relative to it, whichever side faces it; its three masses share F. `velocity` is that of the masses the
+/// wind meets. At the end of a step the push answers to what it does, at its start it does not; in neither
+/// case does one triangle's push overtake the air.
+void blow(const Model& model, const State& state, const Vectors& position, const Vectors& velocity,
+          double time, double h, Vectors& kicked, DragAt drag_at = DragAt::end);
+
+/// The same as accelerations (m/s²), added to those of the free masses.
+void add_wind(const Model& model, const State& state, const Vectors& position, const Vectors& velocity,
+              double time, Vectors& acceleration);
 
 /// moved = position + h·velocity, in every mass.
 void drift(double h, const Vectors& position, const Vectors& velocity, Vectors& moved);

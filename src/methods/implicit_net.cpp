@@ -34,8 +34,12 @@ constexpr double hard_ratio = 300.0;
 // How much closer each round's linear solve comes.
 constexpr double linear_gain = 0.01;
 constexpr int most_iterations = 200;
-// Forces are in balance when what is left would move no mass by more than this share of the shortest link.
+// Forces are in balance when what is left would move no mass by more than this share of the shortest link …
 constexpr double balance = 1e-6;
+// … nor by more than this share of what forces move masses by in the step. In short steps that is less, and
+// the share falls with the step, so that the method converges.
+constexpr double balance_of_forces = 1e-3;
+constexpr double longest_short_step = 1.0 / 240.0;  // s
 // Where a row of pushed links buckles within the step there is no balance close by, and the search for it
 // does not settle. After so many rounds it is given up and only lengths are brought to their end, as in fast
 // projection.
@@ -117,13 +121,16 @@ bool ImplicitNet::solve(const Vectors& start, double h, Vectors& position, std::
   prepare(start, h, tension);
   const double shortest =
       links_.size() == 0 ? 1.0 : *std::min_element(links_.length.begin(), links_.length.end());
-  const double closest = std::max(balance, 10.0 * tolerance_) * shortest;
   double last_error = infinity;
   for (int round = 0; round < most_newton_rounds; ++round) {
     measure(position, h);
     const double error = worst_length_error(report);
     if (report.status != StepStatus::done) return false;
     const bool seek_balance = round < rounds_to_balance;
+    const double close_enough =
+        std::min(balance * shortest,
+                 balance_of_forces * std::min(1.0, h / longest_short_step) * largest_move(h));
+    const double closest = std::max(close_enough, 0.1 * tolerance_ * shortest);
     if (error <= tolerance_ && (!seek_balance || worst_imbalance() <= closest)) {
       for (std::size_t i = 0; i < links_.size(); ++i) tension[links_.link[i]] = pull_[i] / (h * h);
       return true;
@@ -210,6 +217,15 @@ double ImplicitNet::worst_imbalance() const {
   for (const Index mass : free_)
     worst = std::max(worst, imbalance_.at(mass).squaredNorm() / (inertia_[mass] * inertia_[mass]));
   return std::sqrt(worst);
+}
+
+// The farthest that gravity, or a single link, moves a mass in the step by itself (m).
+double ImplicitNet::largest_move(double h) const {
+  double largest = h * h * model_.gravity.norm();
+  for (std::size_t i = 0; i < links_.size(); ++i)
+    for (const Index mass : {links_.a[i], links_.b[i]})
+      if (inertia_[mass] > 0.0) largest = std::max(largest, std::abs(pull_[i]) / inertia_[mass]);
+  return largest;
 }
 
 // Takes H and J at the present positions.

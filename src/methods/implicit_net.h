@@ -33,6 +33,7 @@ class ImplicitNet {
   void measure(const Vectors& position, double h);
   double worst_length_error(StepReport& report) const;
   double worst_imbalance() const;
+  double largest_move(double h) const;
   void linearise(double h);
   void limit_push();
   std::int64_t solve_linear(bool seek_balance);

@@ -48,6 +48,7 @@ class NewtonStepper final : public Stepper {
     position_ = state.position;
     tension_ = state.tension;
     kick(model_, end_time, h, state.velocity, velocity_);
+    blow(model_, state, state.position, state.velocity, end_time, h, velocity_);
     joints_.act(state, h, 1.0, velocity_);
     drift(h, state.position, velocity_, position_);
     place_pins(model_, end_time, position_, velocity_);

@@ -2,10 +2,11 @@
 // order, and its fourth-order composition (Yoshida, Construction of higher order symplectic integrators,
 // 1990).
 //
-//   v½ = v + (h/2) a(x, v)                     gravity, loads, drag, and links with stiffness as forces
-//   x₁ = x + h v½ − W J₀ᵀ s                    with J₀ the link vectors d₀ at the start of the step, and s
-//   such that g(x₁) = (|d|² − l²)/2 = 0                  every rigid link has its length v½ ← (x₁ − x)/h v₁ =
-//   v½ + (h/2) a(x₁, v₁) − W J₁ᵀ u        with u such that d·ḋ = 0 in every rigid link
+//   v½ = v + (h/2) a(x, v)               half_kicks.h has the forces, and what velocity they meet at the end
+//   x₁ = x + h v½ − W J₀ᵀ s              with J₀ the link vectors d₀ at the start of the step, and s such
+//     that g(x₁) = (|d|² − l²)/2 = 0       every rigid link has its length
+//   v½ ← (x₁ − x)/h
+//   v₁ = v½ + (h/2) a(x₁, v₁) − W J₁ᵀ u  with u such that d·ḋ = 0 in every rigid link
 //
 // Positions: Newton's method, (J W J₀ᵀ) Δs = g with J at the present x₁. Along paths and trees that
 // unsymmetric matrix is eliminated directly; in nets the symmetric J₀ W J₀ᵀ stands in for it (chord Newton).
@@ -28,12 +29,12 @@
 #include "active_limits.h"
 #include "base/failure.h"
 #include "forces.h"
+#include "half_kicks.h"
 #include "joint_resistance.h"
 #include "link_system.h"
 #include "methods/method.h"
 #include "parameters.h"
 #include "solve_guard.h"
-#include "springs.h"
 
 namespace taut {
 namespace {
@@ -45,7 +46,7 @@ class RattleStepper final : public Stepper {
   RattleStepper(const Model& model, int order, double steps_per_second)
       : model_(model),
         order_(order),
-        longest_step_(1.0 / steps_per_second),
+        kicks_(model, "rattle", 1.0 / steps_per_second, 1.0),
         limits_(model),
         joints_(model),
         watch_(model) {}
@@ -57,8 +58,7 @@ class RattleStepper final : public Stepper {
     system_ = make_link_system(model_, rigid);
     no_compliance_.assign(rigid.size(), 0.0);
     factored_along_.resize(0);
-    springs_ = gather_springs(model_, state);
-    check_springs(state);
+    kicks_.links_changed(state);
   }
 
   StepReport step(State& state, double h) override {
@@ -88,16 +88,6 @@ class RattleStepper final : public Stepper {
   void watch_energy(bool on) override { watch_.set(on); }
 
  private:
-  void check_springs(const State& state) const {
-    const double frequency = highest_frequency(springs_, state.position);
-    if (frequency * longest_step_ < 2.0) return;
-    throw BadRequest(
-        fmt::format("method rattle treats links with stiffness as forces, and the stiffest vibrate at {:.4g} "
-                    "rad/s: that needs more "
-                    "than {:.0f} steps_per_second, or method newton, which takes any stiffness",
-                    frequency, 0.5 * frequency));
-  }
-
   // One step of order 2 on position_ and velocity_.
   void sub_step(const State& start, double time, double h, StepReport& report) {
     const double half = 0.5 * h, end_time = time + h;
@@ -105,34 +95,19 @@ class RattleStepper final : public Stepper {
     link_vectors(links, position_, start_direction_);
     start_position_ = position_;
 
-    half_velocity_ = velocity_;
-    kick(model_, time, half, velocity_, half_velocity_, DragAt::start);
-    kick_by_springs(springs_, half, position_, velocity_, half_velocity_, spring_tension_);
+    kicks_.start(start, time, half, position_, velocity_, velocity_, half_velocity_);
     joints_.act(start, h, 0.5, half_velocity_);
     drift(h, start_position_, half_velocity_, position_);
     place_pins(model_, end_time, position_, half_velocity_);
-    report.link_solves += spring_kicks * static_cast<std::int64_t>(springs_.links.size());
+    report.link_solves += kicks_.solves();
     limits_.begin_step(h);
     if (!solve_positions(report)) return;
 
     difference_quotient(h, start_position_, position_, velocity_);
     place_pins(model_, end_time, position_, velocity_);
-    kick_at_end(end_time, half);
+    kicks_.end(start, end_time, half, position_, half_velocity_, velocity_, tension_);
     joints_.finish(0.5, position_, velocity_);
     solve_velocities(half, report);
-  }
-
-  // Springs' damping needs the velocity at the end: a first guess at it is enough for second order.
-  void kick_at_end(double end_time, double half) {
-    if (!springs_.empty()) {
-      half_velocity_ = velocity_;
-      kick_by_springs(springs_, half, position_, velocity_, half_velocity_, spring_tension_);
-      kick(model_, end_time, half, half_velocity_, half_velocity_);
-      kick_by_springs(springs_, half, position_, half_velocity_, velocity_, spring_tension_);
-      for (std::size_t i = 0; i < spring_tension_.size(); ++i)
-        tension_[springs_.links.link[i]] = spring_tension_[i];
-    }
-    kick(model_, end_time, half, velocity_, velocity_);
   }
 
   bool solve_positions(StepReport& report) {
@@ -235,17 +210,16 @@ class RattleStepper final : public Stepper {
 
   const Model& model_;
   int order_;
-  double longest_step_;  // s
+  HalfKicks kicks_;
   ActiveLimits limits_;
   JointResistance joints_;
   EnergyWatch watch_;
   LinkSystem system_;
-  Springs springs_;
   std::vector<double> no_compliance_;
   Vectors factored_along_;  // directions whose symmetric matrix a net's factor holds
   Vectors start_position_, position_, velocity_, half_velocity_;
   Vectors start_direction_, direction_;
-  std::vector<double> residual_, tension_, spring_tension_;
+  std::vector<double> residual_, tension_;
   double worst_ = 0.0;
 };
 
@@ -258,13 +232,12 @@ constexpr std::array params{
 
 std::unique_ptr<Stepper> make(const Model& model, const Settings& settings) {
   const int order = settings.choice("order") == "4" ? 4 : 2;
-  bool damped = model.drag > 0.0 || !model.breakable_links.empty();
+  bool damped = model.drag > 0.0 || model.wind || !model.breakable_links.empty();
   for (const double damping : model.links.damping) damped = damped || damping > 0.0;
   if (order == 4 && (damped || !model.limits.empty() || !model.joints.empty()))
     throw BadRequest(
-        "method rattle of order 4 has a step that runs backwards in time, which drag, damping, breaking "
-        "links and stops do not: "
-        "use order 2 for this scene");
+        "method rattle of order 4 has a step that runs backwards in time, which drag, damping, wind, "
+        "breaking links and stops do not: use order 2 for this scene");
   return std::make_unique<RattleStepper>(model, order, settings.steps_per_second());
 }
 

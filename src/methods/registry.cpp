@@ -121,7 +121,6 @@ std::vector<std::string> capability_problems(const Model& model, const Method& m
   need(!model.limits.empty(), &Capabilities::limits, "limits on angles");
   need(!model.contacts.empty(), &Capabilities::colliders,
        "solids but a plane without rebound, masses of some size, or bodies that touch");
-  need(model.wind.has_value(), &Capabilities::wind, "wind");
   need(model.drag > 0.0, &Capabilities::drag, "drag");
   need(stretch, &Capabilities::break_stretch, "breaking by stretch");
   need(tension, &Capabilities::break_tension, "breaking by tension");

@@ -2,7 +2,7 @@
 // equations of motion of a system with constraints, 1977): Verlet with relaxation along the link directions
 // of the start of the step.
 //
-//   v½ = v + (h/2) a(x),  x₁ = x + h v½              gravity, loads, drag, and links with stiffness as forces
+//   v½ = v + (h/2) a(x),  x₁ = x + h v½        gravity, loads, drag, wind, and links with stiffness as forces
 //   `passes` times, for each rigid link, d = x_a − x_b, d₀ the same at the start of the step:
 //     q = (|d|² − l²) / (2 (w_a + w_b) d·d₀),  x_a ← x_a − w_a q d₀,  x_b ← x_b + w_b q d₀
 //   v ← (x₁ − x)/h + (h/2) a(x₁)
@@ -12,15 +12,14 @@
 // That one change of direction makes the relaxation of second order: one pass per small step is within 5e-4 m
 // on a 2 m chain where relaxation along the new direction is at 1e-2 m for the same price. It shares RATTLE's
 // limit, h below about √(m l/T). The tension is Σ q |d₀|/h². The velocity at the end still holds the last
-// half kick, as with verlet.
-
-#include <fmt/format.h>
+// half kick, as with verlet. Damping and wind, which depend on velocity, meet one without it: the links'
+// answer to that half kick is half a step of their last tension.
 
 #include <array>
 #include <cmath>
 
-#include "base/failure.h"
 #include "forces.h"
+#include "half_kicks.h"
 #include "joint_resistance.h"
 #include "limit_solver.h"
 #include "link_order.h"
@@ -28,7 +27,6 @@
 #include "methods/method.h"
 #include "parameters.h"
 #include "solve_guard.h"
-#include "springs.h"
 
 namespace taut {
 namespace {
@@ -39,7 +37,7 @@ class ShakeStepper final : public Stepper {
       : model_(model),
         passes_(passes),
         tolerance_(tolerance),
-        longest_step_(1.0 / steps_per_second),
+        kicks_(model, "shake", 1.0 / steps_per_second, 2.0),
         limits_(model),
         watch_(model),
         joints_(model) {}
@@ -49,14 +47,7 @@ class ShakeStepper final : public Stepper {
     for (const Index link : coloured_order(model_, state).links)
       if (model_.links.rigid(link)) rigid.push_back(link);
     links_ = gather(model_, rigid);
-    springs_ = gather_springs(model_, state);
-    const double frequency = highest_frequency(springs_, state.position);
-    if (frequency * longest_step_ >= 2.0)
-      throw BadRequest(
-          fmt::format("method shake treats links with stiffness as forces, and the stiffest vibrate at "
-                      "{:.4g} rad/s: that needs more "
-                      "than {:.0f} steps_per_second, or method newton, which takes any stiffness",
-                      frequency, 0.5 * frequency));
+    kicks_.links_changed(state);
   }
 
   StepReport step(State& state, double h) override {
@@ -64,20 +55,21 @@ class ShakeStepper final : public Stepper {
     velocity_ = state.velocity;
     position_ = state.position;
     tension_ = state.tension;
-    kick(model_, state.time, half, state.velocity, velocity_, DragAt::start);
-    kick_by_springs(springs_, half, state.position, state.velocity, velocity_, spring_tension_);
-    joints_.act(state, h, 1.0, velocity_);
-    drift(h, state.position, velocity_, position_);
+    link_vectors(links_, state.position, start_direction_);
+    answer_half_kick(state, half);
+    kicks_.start(state, state.time, half, state.position, state.velocity, met_velocity_, kicked_);
+    joints_.act(state, h, 1.0, kicked_);
+    drift(h, state.position, kicked_, position_);
     place_pins(model_, end_time, position_, velocity_);
 
     StepReport report;
-    report.link_solves = spring_kicks * static_cast<std::int64_t>(springs_.links.size());
+    report.link_solves = kicks_.solves();
     limits_.begin_step();
     if (!relax(state.position, h, report)) return report;
 
     difference_quotient(h, state.position, position_, velocity_);
     place_pins(model_, end_time, position_, velocity_);
-    kick_at_end(end_time, half);
+    kicks_.end(state, end_time, half, position_, kicked_, velocity_, tension_);
     for (std::size_t i = 0; i < links_.size(); ++i)
       tension_[links_.link[i]] = multipliers_[i] * start_direction_.at(i).norm() / (h * h);
     watch_.take_over(state, position_, velocity_, tension_, h, report);
@@ -88,8 +80,17 @@ class ShakeStepper final : public Stepper {
   void watch_energy(bool on) override { watch_.set(on); }
 
  private:
+  // The velocities at the start of a step as the links would have them.
+  void answer_half_kick(const State& state, double half) {
+    met_velocity_ = state.velocity;
+    if (!kicks_.meet_velocity()) return;
+    answer_.resize(links_.size());
+    for (std::size_t i = 0; i < links_.size(); ++i)
+      answer_[i] = -half * state.tension[links_.link[i]] / start_direction_.at(i).norm();
+    apply_impulses(links_, start_direction_, answer_, met_velocity_);
+  }
+
   bool relax(const Vectors& start, double h, StepReport& report) {
-    link_vectors(links_, start, start_direction_);
     multipliers_.assign(links_.size(), 0.0);
     for (int pass = 0; pass < passes_; ++pass) {
       double worst = 0.0;
@@ -119,29 +120,16 @@ class ShakeStepper final : public Stepper {
     return true;
   }
 
-  // Springs' damping needs the velocity at the end: a first guess at it is enough for second order.
-  void kick_at_end(double end_time, double half) {
-    if (!springs_.empty()) {
-      guess_ = velocity_;
-      kick_by_springs(springs_, half, position_, velocity_, guess_, spring_tension_);
-      kick_by_springs(springs_, half, position_, guess_, velocity_, spring_tension_);
-      for (std::size_t i = 0; i < spring_tension_.size(); ++i)
-        tension_[springs_.links.link[i]] = spring_tension_[i];
-    }
-    kick(model_, end_time, half, velocity_, velocity_);
-  }
-
   const Model& model_;
   int passes_;
   double tolerance_;
-  double longest_step_;  // s
+  HalfKicks kicks_;
   LimitSolver limits_;
   EnergyWatch watch_;
   JointResistance joints_;
   SystemLinks links_;
-  Springs springs_;
-  Vectors position_, velocity_, guess_, start_direction_;
-  std::vector<double> multipliers_, tension_, spring_tension_;
+  Vectors position_, velocity_, kicked_, met_velocity_, start_direction_;
+  std::vector<double> multipliers_, tension_, answer_;
 };
 
 constexpr std::array params{

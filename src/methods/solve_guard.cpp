@@ -82,6 +82,8 @@ bool EnergyWatch::jumped(const State& before, const Vectors& position, const Vec
   double pin_speed_squared = 0.0;
   for (const DrivenPin& pin : model_.driven_pins)
     pin_speed_squared = std::max(pin_speed_squared, velocity.at(pin.mass).squaredNorm());
+  // The wind may take a feather along at once.
+  if (model_.wind) gain -= mass_ * wind_at(*model_.wind, before.time + h).squaredNorm();
   return !(gain <= 0.1 * (force_scale_ + kinetic_before + elastic_before + mass_ * pin_speed_squared));
 }
 

@@ -28,6 +28,7 @@ class SpringExplicitStepper final : public Stepper {
     position_ = state.position;
     tension_ = state.tension;
     kick_by_springs(springs_, h, state.position, state.velocity, velocity_, spring_tension_);
+    blow(model_, state, state.position, state.velocity, state.time + h, h, velocity_);
     kick(model_, state.time + h, h, velocity_, velocity_);
     drift(h, state.position, velocity_, position_);
     place_pins(model_, state.time + h, position_, velocity_);

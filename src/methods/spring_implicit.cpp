@@ -49,6 +49,7 @@ class SpringImplicitStepper final : public Stepper {
     report.rounds = 0;
     // What the masses would do without springs is both the first guess and the constant part of F.
     kick(model_, end_time, h, state.velocity, free_velocity_ = state.velocity);
+    blow(model_, state, state.position, state.velocity, end_time, h, free_velocity_);
     drift(h, state.position, free_velocity_, inertial_ = state.position);
     place_pins(model_, end_time, inertial_, free_velocity_);
     position_ = inertial_;

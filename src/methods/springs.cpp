@@ -1,5 +1,6 @@
 #include "springs.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "methods/frequency.h"
@@ -15,6 +16,10 @@ Springs gather_springs(const Model& model, const State& state) {
     springs.stiffness.push_back(model.links.stiffness[link]);
   }
   return springs;
+}
+
+bool any_damped(const Springs& springs) {
+  return std::ranges::any_of(springs.links.damping, [](double damping) { return damping > 0.0; });
 }
 
 namespace {

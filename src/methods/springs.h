@@ -15,12 +15,11 @@ struct Springs {
   bool empty() const { return links.size() == 0; }
 };
 
-/// How often second-order steps work out every spring's force: at their start, and twice at their end, where
-/// damping needs a first guess.
-inline constexpr std::int64_t spring_kicks = 3;
-
 /// The whole links with stiffness that have a free end.
 Springs gather_springs(const Model& model, const State& state);
+
+/// Whether any of them is damped.
+bool any_damped(const Springs& springs);
 
 /// Pull of each spring (N): k (|d| − l) + c d·ḋ/|d|.
 void spring_tensions(const Springs& springs, const Vectors& position, const Vectors& velocity,

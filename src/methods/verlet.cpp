@@ -35,7 +35,7 @@ class VerletStepper final : public Stepper {
     velocity_ = state.velocity;
     const double start_time = state.time, end_time = state.time + h;
     kick(model_, state.time, 0.5 * h, state.velocity, velocity_);
-    if (model_.wind) blow(*model_.wind, model_, state, end_time, h, velocity_);
+    blow(model_, state, state.position, state.velocity, end_time, h, velocity_);
     joints_.act(state, h, 1.0, velocity_);
     drift(h, start_, velocity_, state.position);
     place_pins(model_, end_time, state.position, velocity_);
@@ -102,7 +102,6 @@ Method verlet_method() {
   can.plane = true;
   can.limits = true;
   can.colliders = true;
-  can.wind = true;
   can.break_stretch = true;
   return {"verlet",
           "Störmer–Verlet with mass-weighted relaxation",

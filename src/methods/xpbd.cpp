@@ -117,7 +117,7 @@ class XpbdStepper final : public Stepper {
     start_ = state.position;
     velocity_ = state.velocity;
     kick(model_, end_time, h, state.velocity, velocity_);
-    if (model_.wind) blow(*model_.wind, model_, state, end_time, h, velocity_);
+    blow(model_, state, state.position, state.velocity, end_time, h, velocity_);
     joints_.act(state, h, 1.0, velocity_);
     drift(h, start_, velocity_, state.position);
     place_pins(model_, end_time, state.position, velocity_);
@@ -276,7 +276,6 @@ Method xpbd_method() {
   can.plane = true;
   can.limits = true;
   can.colliders = true;
-  can.wind = true;
   can.break_stretch = true;
   can.break_tension = true;
   return {"xpbd",

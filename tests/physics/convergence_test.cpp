@@ -2,6 +2,7 @@
 
 #include "fixtures.h"
 #include "measure/exact.h"
+#include "measure/explicit_integrator.h"
 #include "measure/measures.h"
 
 namespace taut::test {
@@ -104,6 +105,49 @@ std::vector<Case> elastic_cases() {
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, ElasticConvergence, ::testing::ValuesIn(elastic_cases()), case_label);
+
+class MixedConvergence : public ::testing::TestWithParam<Case> {};
+
+// A net of rigid links with damped diagonals, in air and wind: forces that ask for the velocity at the end of
+// a step, and links that have a say in it. The reference is the integration at acceleration level, its
+// tolerance far below any error judged.
+TEST_P(MixedConvergence, OnADampedNetInTheWind) {
+  const Case& c = GetParam();
+  Description description;
+  description.drag = 0.8;
+  SheetSpec sheet;
+  sheet.name = "net";
+  sheet.rows = 4;
+  sheet.columns = 5;
+  sheet.to = {0.8, 0.0, 0.0};
+  sheet.down = {0.0, -0.45, 0.4};
+  sheet.mass = 0.5;
+  sheet.pinned = {"left"};
+  sheet.diagonals = LinkProperties{40.0, 0.8, {}, {}};
+  description.sheets = {sheet};
+  description.wind.velocity = {1.0, 0.0, 4.0};
+  description.wind.gust = 0.4;
+  const Built built = build_valid(description);
+  const auto reference = integrate_explicitly(built.model, built.start, {0.3}, 1e-11);
+  ASSERT_EQ(reference.size(), 1U);
+  EXPECT_NEAR(order_of(c, built, 0.3, reference.back()), c.order, c.tolerance);
+}
+
+std::vector<Case> mixed_cases() {
+  const std::vector<double> rates{2400, 4800, 9600, 19200};
+  return {
+      {"rattle", settings("rattle", 0), {600, 1200, 2400, 4800}, 2.0, 0.15},
+      {"shake_converged",
+       with(with(settings("shake", 0), "passes", 1e5), "tolerance", 1e-12),
+       {600, 1200, 2400, 4800},
+       2.0,
+       0.15},
+      {"xpbd", settings("xpbd", 0, 100), rates, 1.0, 0.15},
+      {"newton", settings("newton", 0), rates, 1.0, 0.15},
+  };
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, MixedConvergence, ::testing::ValuesIn(mixed_cases()), case_label);
 
 // 20 links of 0.1 m released level, after 1 s.
 TEST(RigidChain, ErrorsAfterOneSecondAreThoseOfTheMethod) {

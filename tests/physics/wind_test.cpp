@@ -6,10 +6,6 @@
 namespace taut::test {
 namespace {
 
-std::vector<std::string> wind_methods() {
-  return methods_that([](const Capabilities& can) { return can.wind; });
-}
-
 // A free sheet of one cell, 1 m², 1 kg, that faces along z, without gravity.
 Description sail(double wind_speed) {
   Description description;
@@ -26,14 +22,31 @@ Description sail(double wind_speed) {
   return description;
 }
 
-class WindMethods : public ::testing::TestWithParam<std::string> {};
+class WindMethods : public ::testing::TestWithParam<std::string> {
+ protected:
+  // Links are rigid, or of the stiffness given where the method knows no rigid ones.
+  static Built build_for_method(Description description, double stiffness) {
+    if (!find_method(GetParam())->can.rigid) {
+      description.sheets[0].properties.stiffness = stiffness;
+      description.sheets[0].diagonals->stiffness = stiffness;
+    }
+    return build_valid(description);
+  }
+
+  // euler's links move masses without pushing them unless velocities are derived.
+  static Settings settings_for_method(double steps_per_second, double passes = 0.0) {
+    Settings how = settings(GetParam(), steps_per_second, passes);
+    if (GetParam() == "euler") how.values["velocities"] = std::string("derived");
+    return how;
+  }
+};
 
 // From rest u' = −k u² with k = ρ C A/(2 m), u being the wind as the sail feels it: u = u₀/(1 + k u₀ t). Both
 // sides catch it alike.
 TEST_P(WindMethods, ASailIsCarriedAlongByTheLawOfDrag) {
   for (const double wind_speed : {5.0, -5.0}) {
-    const Built built = build_valid(sail(wind_speed));
-    const State end = run(built, settings(GetParam(), 2000.0), 1.0);
+    const Built built = build_for_method(sail(wind_speed), 1e4);
+    const State end = run(built, settings_for_method(2000.0), 1.0);
     const double felt = wind_speed / (1.0 + 0.9 * 5.0 * 1.0);
     EXPECT_NEAR(linear_momentum(built.model, end).z(), wind_speed - felt, 5e-3 * 5.0);
   }
@@ -42,19 +55,31 @@ TEST_P(WindMethods, ASailIsCarriedAlongByTheLawOfDrag) {
 TEST_P(WindMethods, WindAlongASailDoesNotPushIt) {
   Description description = sail(0.0);
   description.wind.velocity = {3.0, 2.0, 0.0};
-  const Built built = build_valid(description);
-  EXPECT_LT(fastest_speed(run(built, settings(GetParam(), 600.0), 1.0)), 1e-12);
+  const Built built = build_for_method(description, 1e3);
+  EXPECT_LT(fastest_speed(run(built, settings_for_method(600.0), 1.0)), 1e-12);
 }
 
+// Two triangles share a mass, and each gives it its push; undamped springs swing a little beyond.
+// Methods that correct along the directions of the start of a step can't turn a link as far as this gale does
+// in one, and say so.
 TEST_P(WindMethods, AGaleDoesNotBlowUpAFeather) {
-  Description description = sail(300.0);
+  constexpr double gale = 300.0;
+  Description description = sail(gale);
   description.sheets[0].mass = 1e-4;
-  const Built built = build_valid(description);
-  const State end = run(built, settings(GetParam(), 60.0, 10.0), 0.5);
-  EXPECT_LE(fastest_speed(end), 1.01 * 300.0) << "two triangles share a mass, and each gives it its push";
+  const Built built = build_for_method(description, 0.01);
+  State end = built.start;
+  const StepReport report = simulate(built.model, end, settings_for_method(60.0, 10.0), 30);
+  const Capabilities& can = find_method(GetParam())->can;
+  if (can.limit == StepLimit::sideways_vibration && report.status != StepStatus::done) {
+    EXPECT_EQ(report.status, StepStatus::direction_lost);
+    EXPECT_EQ(state_hash(end), state_hash(built.start));
+    return;
+  }
+  ASSERT_EQ(report.status, StepStatus::done);
+  EXPECT_LE(fastest_speed(end), (can.rigid ? 1.01 : 1.2) * gale);
 }
 
-INSTANTIATE_TEST_SUITE_P(Registry, WindMethods, ::testing::ValuesIn(wind_methods()), case_name);
+INSTANTIATE_TEST_SUITE_P(Registry, WindMethods, ::testing::ValuesIn(every_method()), case_name);
 
 TEST(Gusts, AreAFunctionOfTimeAndSeed) {
   Wind wind;

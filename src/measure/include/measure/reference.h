@@ -26,7 +26,7 @@ struct Reference {
 /// integration of the equations at acceleration level, at two tolerances, must agree within it. Where
 /// agreement ends before the last time the later states are left out, and certified_until says so; so it is
 /// where the first event comes (events.h), as neither opinion resolves any. Refused, with the reason, where
-/// no state can be certified, and for scenes with wind.
+/// no state can be certified.
 Reference make_reference(const Model& model, const State& start, const std::vector<double>& times,
                          double accuracy);
 

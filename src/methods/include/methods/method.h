@@ -40,7 +40,6 @@ struct Capabilities {
   bool plane = false;      ///< a ground plane with friction
   bool limits = false;     ///< limits on angles
   bool colliders = false;  ///< solids of any shape, masses of some size, rebound, bodies that touch
-  bool wind = false;       ///< wind on sheets
   bool drag = true;
   bool break_stretch = false;
   bool break_tension = false;
