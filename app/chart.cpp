@@ -34,14 +34,6 @@ struct ChartFlags {
   bool all = false, plans = false, overwrite = false, json = false, quiet = false;
 };
 
-// How far --all looks at scenes that take too long to be looked at whole (s). The curtain's pleats fold as
-// they like once they are drawn: methods agree on them for as long as they hang open.
-struct Shortened {
-  std::string_view scene;
-  double horizon;
-};
-constexpr std::array shortened_scenes{Shortened{"curtain", 1.0}, Shortened{"flag", 1.0}};
-
 ErrorKind parse_error(const std::string& text) {
   std::vector<std::string_view> names;
   for (const ErrorKind kind : all_error_kinds) {
@@ -70,13 +62,6 @@ ChartRequest request_from(const ChartFlags& flags) {
 }
 
 // The request for one scene of several.
-ChartRequest request_for(const ChartFlags& flags, const Scene& scene, ChartRequest request) {
-  const auto shortened = std::ranges::find(shortened_scenes, scene.name, &Shortened::scene);
-  if (flags.all && !request.horizon && shortened != shortened_scenes.end())
-    request.horizon = shortened->horizon;
-  return request;
-}
-
 std::vector<Scene> load_all(const ChartFlags& flags) {
   std::vector<std::string> names = flags.scenes;
   if (flags.all)
@@ -103,19 +88,25 @@ int chart(const ChartFlags& flags) {
   const std::vector<Scene> scenes = load_all(flags);
   require_gnuplot();
   const InterruptWatch interrupts;
+  const StopTest stop = [&] { return interrupts.caught() != 0; };
   std::vector<Chart> charts;
   std::vector<PlanVerdict> verdicts;
   int status = exit_done;
-  for (const Scene& scene : scenes) {
-    Progress progress(stderr, progress_style(stderr, flags.quiet), "cases");
-    charts.push_back(measure_chart(scene, request_for(flags, scene, request),
-                                   std::filesystem::path(flags.folder) / (scene.name + ".cases.jsonl"),
-                                   progress, [&] { return interrupts.caught() != 0; }));
-    if (!flags.quiet) print_summary(charts.back(), flags.folder);
-    if (interrupts.caught() != 0) return exit_signal + interrupts.caught();
-    write_chart(charts.back(), flags.folder);
-    if (!charts.back().complete()) status = exit_incomplete;
-    if (flags.plans) std::ranges::move(judge_plans(scene, charts.back()), std::back_inserter(verdicts));
+  try {
+    for (const Scene& scene : scenes) {
+      Progress progress(stderr, progress_style(stderr, flags.quiet), "cases");
+      charts.push_back(measure_chart(scene, request,
+                                     std::filesystem::path(flags.folder) / (scene.name + ".cases.jsonl"),
+                                     progress, stop));
+      if (!flags.quiet) print_summary(charts.back(), flags.folder);
+      stop_if_told(stop);
+      write_chart(charts.back(), flags.folder);
+      if (!charts.back().complete()) status = exit_incomplete;
+      if (flags.plans)
+        std::ranges::move(judge_plans(scene, charts.back(), stop), std::back_inserter(verdicts));
+    }
+  } catch (const Interrupted&) {
+    return exit_signal + interrupts.caught();
   }
   write_chart_page(charts, flags.folder);
   write_file(std::filesystem::path(flags.folder) / "which-method.md",
@@ -136,8 +127,7 @@ void add_chart(CLI::App& program, Action& action) {
       program.add_subcommand("chart", "Speed against accuracy: what each method needs for how little error");
   const auto flags = std::make_shared<ChartFlags>();
   verb->add_option("SCENE", flags->scenes, "Scene files, or bare names of `taut list scenes`");
-  verb->add_flag("--all", flags->all,
-                 "All scenes of `taut list scenes`, the curtain and the flag over their first second");
+  verb->add_flag("--all", flags->all, "All scenes of `taut list scenes`");
   verb->add_flag("--plans", flags->plans,
                  "Also plan each scene for 10 %, 1 % and 0.1 % (see `taut render --accuracy`), and judge the "
                  "plans: plans.md");

@@ -11,6 +11,7 @@
 #include "measure/measures.h"
 #include "measure/sampled_run.h"
 #include "measure/work_precision.h"
+#include "model/parts.h"
 
 namespace taut {
 namespace {
@@ -22,15 +23,32 @@ bool settled(const Opinion& opinion, const Model& model, const State& start) {
   return position_error(opinion.coarse.back(), opinion.fine.back()) <= bound * scene_size(model, start);
 }
 
+// Passes of an opinion's finer and coarser run. Where something can hit something, what few passes leave of
+// an impact is not made good by short steps: the limit of ever shorter steps of one pass each is another
+// motion than that of many, and only many agree with a direct solve.
+struct Passes {
+  int fine = 1, coarse = 1;
+};
+
+Passes passes_for(const Model& model) {
+  const bool impacts = model.plane || !model.contacts.empty() || !model.limits.empty();
+  return impacts ? Passes{64, 16} : Passes{};
+}
+
 std::optional<Opinion> opinion_of(const Model& model, const State& start, const Curve& curve,
-                                  const std::vector<double>& times, double most_seconds) {
+                                  const std::vector<double>& times, double most_seconds,
+                                  const StopTest& stop) {
   Opinion opinion{curve.name, curve.method, curve.relaxes, 0.0, {}, {}};
+  const Passes passes = passes_for(model);
   const double horizon = times.back();
   double work = 0.0;
   for (double rate = 120.0; rate <= 1e6 && 2.0 * work <= most_seconds; rate *= 2.0) {
-    if (predicted_seconds(model, curve.settings.method, rate * horizon, 1) > most_seconds) break;
+    if (predicted_seconds(model, curve.settings.method, rate * horizon, curve.relaxes ? passes.fine : 1) >
+        most_seconds)
+      break;
     try {
-      SampledRun run = sampled_run(model, start, settings_at(curve, rate, 1), times, chart_guard);
+      SampledRun run =
+          sampled_run(model, start, settings_at(curve, rate, passes.fine), times, chart_guard, stop);
       work = predicted_seconds(model, curve.settings.method, run.report, rate * horizon);
       if (run.diverged) continue;
       opinion.coarse = std::move(opinion.fine);
@@ -42,6 +60,11 @@ std::optional<Opinion> opinion_of(const Model& model, const State& start, const 
     }
   }
   if (opinion.coarse.empty()) return std::nullopt;
+  if (curve.relaxes && passes.coarse != passes.fine)
+    opinion.coarse = sampled_run(model, start, settings_at(curve, 0.5 * opinion.rate, passes.coarse), times,
+                                 chart_guard, stop)
+                         .states;
+  if (opinion.coarse.size() < times.size()) return std::nullopt;
   return opinion;
 }
 
@@ -50,6 +73,11 @@ std::optional<Opinion> opinion_of(const Model& model, const State& start, const 
 struct Pair {
   const Opinion *first = nullptr, *second = nullptr;
 };
+
+bool one_method_alone(const std::vector<Opinion>& opinions) {
+  return std::ranges::all_of(
+      opinions, [&](const Opinion& opinion) { return opinion.method == opinions.front().method; });
+}
 
 bool may_agree(const Opinion& a, const Opinion& b, bool alone) {
   return a.method < b.method || (alone && &a == &b);
@@ -181,29 +209,23 @@ void set_limit(Truth& truth, ErrorKind kind, double uncertainty) {
 
 }  // namespace
 
-bool one_method_alone(const std::vector<Opinion>& opinions) {
-  return std::ranges::all_of(
-      opinions, [&](const Opinion& opinion) { return opinion.method == opinions.front().method; });
-}
-
 std::vector<Opinion> opinions_of(const Model& model, const State& start, const std::vector<double>& times,
-                                 double most_seconds) {
+                                 double most_seconds, const StopTest& stop) {
+  const bool rigid = has_rigid_links(model);
   std::vector<Opinion> opinions;
-  for (const Curve& curve : curves_for(model).curves)
-    if (auto opinion = opinion_of(model, start, curve, times, most_seconds))
+  for (const Curve& curve : curves_for(model).curves) {
+    // Without rigid links these two are one method, step by step.
+    if (!rigid && curve.settings.method == "rattle") continue;
+    if (auto opinion = opinion_of(model, start, curve, times, most_seconds, stop))
       opinions.push_back(*std::move(opinion));
+  }
   return opinions;
 }
 
 std::optional<Truth> agreed_motion(const Model& model, const State& start,
-                                   const std::vector<Opinion>& opinions) {
-  constexpr double close = 1e-3, loose = 1e-2, worth = 2.0;
+                                   const std::vector<Opinion>& opinions, double bound) {
   const double size = scene_size(model, start);
-  AgreedPair best = best_pair(opinions, close * size);
-  const AgreedPair longer = best_pair(opinions, loose * size);
-  if (longer.instants > 0 &&
-      static_cast<double>(longer.instants) >= worth * static_cast<double>(best.instants))
-    best = longer;
+  const AgreedPair best = best_pair(opinions, bound * size);
   if (best.instants == 0) return std::nullopt;
   const auto& [first, second] = best.pair;
   const auto agreed = [&](const std::vector<State>& states) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "methods/registry.h"
+#include "model/parts.h"
 
 namespace taut {
 namespace {
@@ -28,9 +29,9 @@ constexpr std::array prices{Prices{"euler", 4.0, 18.0, 0.0},
 
 constexpr double any_step = 80.0;  // ns
 // ns · rows³ a round: limits on angles make direct solves dense.
-constexpr double dense_round = 0.13;
+constexpr double dense_round = 0.036;
 // ns a limit and round, and a contact point and step, beside what its links cost.
-constexpr double limit_round = 150.0, contact_step = 100.0;
+constexpr double limit_round = 70.0, contact_step = 100.0;
 
 const Prices& prices_of(std::string_view method) {
   for (const Prices& entry : prices)
@@ -46,10 +47,13 @@ double predicted_seconds(const Model& model, std::string_view method, const Step
   const auto rows = static_cast<double>(model.links.size()),
              limits = static_cast<double>(model.limits.size()), rounds = static_cast<double>(counts.rounds);
   const bool dense = price.factor > 0.0 && limits > 0.0;
+  // Without rigid links rattle has a system of no rows.
+  const bool factors = method != "rattle" || has_rigid_links(model);
   return 1e-9 *
          (any_step * steps + price.step * steps * rows +
           price.solve * static_cast<double>(counts.link_solves) +
-          price.factor * static_cast<double>(counts.factorisations) * rows * std::sqrt(rows) +
+          (factors ? price.factor * static_cast<double>(counts.factorisations) * rows * std::sqrt(rows)
+                   : 0.0) +
           (dense ? dense_round * rounds * std::pow(rows + limits, 3.0) : 0.0) +
           limit_round * rounds * limits + contact_step * steps * static_cast<double>(model.contacts.size()));
 }

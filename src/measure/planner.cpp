@@ -55,14 +55,14 @@ struct Search {
 };
 
 Search search(const Model& model, const State& start, const Truth& truth, ErrorKind kind, double good_enough,
-              const std::vector<Curve>& curves) {
+              const std::vector<Curve>& curves, const StopTest& stop) {
   Search found;
   GridWalk walk(model, curves, truth, most_run);
   double work = 0.0;
   while (const std::optional<GridPoint> point = walk.next()) {
     Tried tried;
     tried.settings = settings_at(curves[point->curve], point->steps_per_second(), point->passes());
-    const JudgedRun run = judge_run(model, start, truth, tried.settings);
+    const JudgedRun run = judge_run(model, start, truth, tried.settings, stop);
     walk.record(run);
     ++found.runs;
     tried.work = predicted_seconds(model, tried.settings.method, run.counts,
@@ -94,14 +94,14 @@ ErrorKind judging_kind(const Truth& truth, ErrorKind kind, double wanted) {
 }
 
 Plan make_plan(const Model& model, const State& start, const Truth& truth, double duration,
-               const AccuracyTarget& target, std::string_view only) {
+               const AccuracyTarget& target, std::string_view only, const StopTest& stop) {
   const double wanted = wanted_error(target, model, start);
   const ErrorKind kind = judging_kind(truth, target.kind, wanted);
   if (!truth.smallest[kind]) return plan_without_truth(truth, wanted);
   const std::vector<std::string> methods =
       only.empty() ? std::vector<std::string>{} : std::vector{std::string(only)};
-  const Search found =
-      search(model, start, only_kind(truth, kind), kind, safety * wanted, curves_for(model, methods).curves);
+  const Search found = search(model, start, only_kind(truth, kind), kind, safety * wanted,
+                              curves_for(model, methods).curves, stop);
   if (found.best.error == infinity) return plan_without_truth(truth, wanted);
   const Tried& chosen = found.cheapest ? *found.cheapest : found.best;
 

@@ -17,7 +17,7 @@ bool has_diverged(const Model& model, const State& state, double scale) {
 }  // namespace
 
 SampledRun sampled_run(const Model& model, const State& start, const Settings& settings,
-                       const std::vector<double>& times, const Guard& guard) {
+                       const std::vector<double>& times, const Guard& guard, const StopTest& stop) {
   const Method& method = *find_method(settings.method);
   const auto stepper = method.make(model, settings);
   stepper->links_changed(start);
@@ -28,6 +28,7 @@ SampledRun sampled_run(const Model& model, const State& start, const Settings& s
   std::int64_t steps = 0;
   for (const double time : times) {
     while (static_cast<double>(steps) / rate < time) {
+      stop_if_told(stop);
       // Copied only where it is needed, as a copy costs as much as a cheap step.
       const double next = static_cast<double>(steps + 1) / rate;
       if (next > time) before = state;

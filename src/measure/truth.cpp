@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "measure/measures.h"
+#include "model/parts.h"
 
 namespace taut {
 namespace {
@@ -55,10 +56,6 @@ double error_of_summaries(const Model& model, const State& start, const Truth& t
 }
 
 }  // namespace
-
-bool has_rigid_links(const Model& model) {
-  return std::ranges::any_of(model.links.stiffness, [](double k) { return k == infinity; });
-}
 
 Summary summary_of(const Model& model, const State& state) {
   return {sag(model, state), energy(model, state).total(), link_strain(model, state).largest};

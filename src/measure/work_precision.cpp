@@ -33,10 +33,11 @@ int GridPoint::passes() const {
   return 1 << (2 * row);
 }
 
-JudgedRun judge_run(const Model& model, const State& start, const Truth& truth, const Settings& settings) {
+JudgedRun judge_run(const Model& model, const State& start, const Truth& truth, const Settings& settings,
+                    const StopTest& stop) {
   JudgedRun judged;
   try {
-    const SampledRun run = sampled_run(model, start, settings, truth.times, chart_guard);
+    const SampledRun run = sampled_run(model, start, settings, truth.times, chart_guard, stop);
     judged.counts = run.report;
     judged.diverged = run.diverged;
     if (run.diverged)

@@ -127,9 +127,8 @@ bool ImplicitNet::solve(const Vectors& start, double h, Vectors& position, std::
     const double error = worst_length_error(report);
     if (report.status != StepStatus::done) return false;
     const bool seek_balance = round < rounds_to_balance;
-    const double close_enough =
-        std::min(balance * shortest,
-                 balance_of_forces * std::min(1.0, h / longest_short_step) * largest_move(h));
+    const double close_enough = std::min(
+        balance * shortest, balance_of_forces * std::min(1.0, h / longest_short_step) * largest_move(h));
     const double closest = std::max(close_enough, 0.1 * tolerance_ * shortest);
     if (error <= tolerance_ && (!seek_balance || worst_imbalance() <= closest)) {
       for (std::size_t i = 0; i < links_.size(); ++i) tension[links_.link[i]] = pull_[i] / (h * h);

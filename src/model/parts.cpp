@@ -136,6 +136,10 @@ std::span<const Part> model_parts() {
   return parts;
 }
 
+bool has_rigid_links(const Model& model) {
+  return std::ranges::any_of(model.links.stiffness, [](double k) { return k == infinity; });
+}
+
 bool equal_masses(const Model& model) {
   const double mass = largest_free_mass(model);
   for (std::size_t i = 0; i < model.masses.size(); ++i)

@@ -42,8 +42,11 @@ class Stopwatch {
 };
 
 // The truth, with only those kinds of error that are wanted.
-Truth wanted_truth(const Scene& scene, const ChartRequest& request) {
+Truth wanted_truth(const Scene& scene, const ChartRequest& request, const StopTest& stop) {
+  constexpr double patience = 40.0;  // s of one run, so that a large scene is charted over a time of some use
   TruthRequest wanted;
+  wanted.stop = stop;
+  if (scene.model.links.size() > large_scene) wanted.certify_seconds = patience;
   wanted.horizon = request.horizon;
   wanted.motion = request.errors.empty() ||
                   std::ranges::find(request.errors, ErrorKind::trajectory) != request.errors.end();
@@ -111,7 +114,7 @@ Chart measure_chart(const Scene& scene, const ChartRequest& request, const std::
   chart.curves = std::move(curves.curves);
   chart.omissions = std::move(curves.omissions);
   CaseStore store(store_file, inputs_of(scene, request), request.overwrite);
-  chart.truth = wanted_truth(scene, request);
+  chart.truth = wanted_truth(scene, request, stop);
   for (const ErrorKind kind : all_error_kinds)
     if (chart.truth.smallest[kind]) chart.errors.push_back(kind);
   if (chart.errors.empty())

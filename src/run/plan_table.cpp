@@ -33,17 +33,17 @@ std::string short_settings(const Settings& settings) {
 
 }  // namespace
 
-std::vector<PlanVerdict> judge_plans(const Scene& scene, const Chart& chart) {
+std::vector<PlanVerdict> judge_plans(const Scene& scene, const Chart& chart, const StopTest& stop) {
   std::vector<PlanVerdict> verdicts;
   for (const double wanted : {0.1, 0.01, 0.001}) {
     PlanVerdict verdict;
     verdict.scene = scene.name;
     verdict.wanted = wanted;
-    verdict.plan = plan_scene(scene, {ErrorKind::trajectory, wanted, false});
+    verdict.plan = plan_scene(scene, {ErrorKind::trajectory, wanted, false}, {}, reference_folder(), stop);
     verdict.kind = judging_kind(chart.truth, ErrorKind::trajectory, wanted);
     verdict.until = chart.truth.horizon();
     verdict.smallest = chart.truth.smallest[verdict.kind].value_or(infinity);
-    const JudgedRun run = judge_run(scene.model, scene.start, chart.truth, verdict.plan.settings);
+    const JudgedRun run = judge_run(scene.model, scene.start, chart.truth, verdict.plan.settings, stop);
     verdict.error = run.errors[verdict.kind].value_or(infinity);
     verdict.work = predicted_seconds(scene.model, verdict.plan.settings.method, run.counts,
                                      chart.truth.horizon() * verdict.plan.settings.steps_per_second());

@@ -14,10 +14,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string key_of(const Scene& scene, const std::vector<double>& times, double accuracy) {
+std::string key_of(const Scene& scene, const std::vector<double>& times, double accuracy,
+                   double most_seconds) {
   Hash hash;
   hash.add(physics_toml(scene)).add(build_info()).add(std::span<const double>(times));
-  return hash.add(std::span(&accuracy, 1)).hex();
+  return hash.add(std::span(&accuracy, 1)).add(std::span(&most_seconds, 1)).hex();
 }
 
 Json to_json(const Reference& reference) {
@@ -59,10 +60,10 @@ std::filesystem::path reference_folder() {
 }
 
 Reference cached_reference(const Scene& scene, const std::vector<double>& times, double accuracy,
-                           const std::filesystem::path& folder) {
+                           const std::filesystem::path& folder, double most_seconds, const StopTest& stop) {
   return cached(
-      folder / (key_of(scene, times, accuracy) + ".json"),
-      [&] { return make_reference(scene.model, scene.start, times, accuracy); }, to_json,
+      folder / (key_of(scene, times, accuracy, most_seconds) + ".json"),
+      [&] { return make_reference(scene.model, scene.start, times, accuracy, most_seconds, stop); }, to_json,
       [&](const Json& json) { return from_json(json, scene.start); });
 }
 

@@ -12,6 +12,7 @@
 #include "errors_json.h"
 #include "json_cache.h"
 #include "measure/agreement.h"
+#include "measure/curves.h"
 #include "measure/events.h"
 #include "measure/measures.h"
 #include "run/build_info.h"
@@ -22,7 +23,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t most_links = 3000;  // more take minutes to certify, if they can be at all
 constexpr int instants = 16;
 
 double sixtieths(double time) {
@@ -38,22 +38,36 @@ std::vector<double> instants_until(double horizon) {
   return times;
 }
 
-// The reference that reaches furthest into the horizon, or into an eighth of it; then, as far as that
-// reaches, the tightest.
-Reference longest_reference(const Scene& scene, double horizon, double finest,
+// How far it is worth looking where a truth ends within the first quarter of its instants: until the next one
+// of them, so that instants lie close enough to tell where it ends. Nothing where it reaches further.
+std::optional<double> nearer_horizon(const std::vector<double>& times, std::size_t reached) {
+  if (4 * reached >= times.size()) return std::nullopt;
+  return times[reached];
+}
+
+// The reference that reaches furthest into the horizon; then, as far as that reaches, the tightest.
+Reference longest_reference(const Scene& scene, double horizon, const TruthRequest& request,
                             const std::filesystem::path& folder) {
-  constexpr double loose = 1e-6, worth = 1.5;
+  constexpr double worth = 1.5;
   const double size = scene_size(scene.model, scene.start);
   Reference best;
-  best.refusal = fmt::format("{} links are too many to certify their motion", scene.model.links.size());
-  if (scene.model.links.size() > most_links) return best;
-  for (const double until : {horizon, horizon / 8.0}) {
-    best = cached_reference(scene, instants_until(until), loose * size, folder);
-    if (best.certified()) break;
+  best.refusal = "nothing was looked at yet";
+  for (std::optional<double> until = horizon; until;) {
+    const std::vector<double> times = instants_until(*until);
+    Reference found =
+        cached_reference(scene, times, request.loosest * size, folder, request.certify_seconds, request.stop);
+    if (!best.certified() || found.certified()) best = std::move(found);
+    until = nearer_horizon(times, best.states.size());
+    if (until && *until == times.back()) break;
   }
-  if (!best.certified() || finest >= loose) return best;
-  Reference tight = cached_reference(scene, instants_until(best.certified_until), finest * size, folder);
-  return tight.certified() && worth * tight.certified_until >= best.certified_until ? tight : best;
+  if (!best.certified() || scene.model.links.size() > large_scene) return best;
+  const std::vector<double> times = instants_until(best.certified_until);
+  for (const double accuracy : {request.finest, std::sqrt(request.finest * request.loosest)}) {
+    Reference tight =
+        cached_reference(scene, times, accuracy * size, folder, request.certify_seconds, request.stop);
+    if (tight.certified() && worth * tight.certified_until >= best.certified_until) return tight;
+  }
+  return best;
 }
 
 Json summaries_to_json(const std::vector<Summary>& summaries) {
@@ -87,26 +101,44 @@ Truth from_json(const Json& json, const State& start) {
 // How long a motion has to be agreed on to be of use, of the time that is free of events.
 constexpr double enough = 0.25;
 
-// The motion that two methods agree on, events and all, up to a horizon or an eighth of it.
+bool one_method_alone(const Model& model) {
+  const std::vector<Curve> curves = curves_for(model).curves;
+  return std::ranges::all_of(curves, [&](const Curve& curve) { return curve.method == curves[0].method; });
+}
+
+// The motion that two methods agree on, events and all, as finely as they do over a time of some use: first,
+// with little work, how far that is.
 std::optional<Truth> motion_by_agreement(const Scene& scene, double horizon, double calm_until,
-                                         double most_seconds) {
-  for (const double until : {horizon, horizon / 8.0}) {
-    if (until < enough * calm_until) break;
-    const std::vector<Opinion> opinions =
-        opinions_of(scene.model, scene.start, instants_until(until), most_seconds);
-    // Until the first event more methods have a say.
-    if (calm_until < horizon && one_method_alone(opinions)) break;
-    auto truth = agreed_motion(scene.model, scene.start, opinions);
+                                         const TruthRequest& request) {
+  constexpr double little = 0.2;
+  // Until the first event more methods have a say.
+  if (calm_until < horizon && one_method_alone(scene.model)) return std::nullopt;
+  for (const double bound : {1e-4, 1e-3, 1e-2}) {
+    const auto look = [&](const std::vector<double>& times, double most_seconds) {
+      return agreed_motion(scene.model, scene.start,
+                           opinions_of(scene.model, scene.start, times, most_seconds, request.stop), bound);
+    };
+    std::vector<double> times = instants_until(horizon);
+    for (;;) {
+      const std::optional<Truth> truth = look(times, little * request.agree_seconds);
+      const std::optional<double> nearer = nearer_horizon(times, truth ? truth->times.size() : 0);
+      if (!nearer || *nearer == times.back()) break;
+      times = instants_until(*nearer);
+    }
+    if (times.back() < enough * calm_until) continue;
+    std::optional<Truth> truth = look(times, request.agree_seconds);
     if (truth && truth->horizon() >= enough * calm_until) return truth;
   }
   return std::nullopt;
 }
 
-Truth summaries_by_agreement(const Scene& scene, double horizon, double most_seconds,
+Truth summaries_by_agreement(const Scene& scene, double horizon, const TruthRequest& request,
                              const std::string& why) {
   const Model calm = without_events(scene.model);
   const std::vector<double> times = instants_until(horizon);
-  return agreed_summaries(calm, scene.start, opinions_of(calm, scene.start, times, most_seconds), times, why);
+  return agreed_summaries(calm, scene.start,
+                          opinions_of(calm, scene.start, times, request.agree_seconds, request.stop), times,
+                          why);
 }
 
 // How far into the horizon the truth was wanted, and how far it goes.
@@ -114,52 +146,67 @@ std::string cut_remark(double reached, double wanted, const std::string& why) {
   return fmt::format("looked at until {:.3g} s of {:.3g} s: {}", reached, wanted, why);
 }
 
-Truth truth_by_agreement(const Scene& scene, const TruthRequest& request, double calm_until, double wanted,
-                         const std::string& why) {
-  if (request.motion)
-    if (auto truth = motion_by_agreement(scene, wanted, calm_until, request.most_seconds)) {
-      if (truth->horizon() < wanted)
-        truth->remark = cut_remark(truth->horizon(), wanted, "beyond that no two methods agree");
-      return *std::move(truth);
-    }
-  return summaries_by_agreement(scene, calm_until, request.most_seconds, why);
+// How long a truth is wanted (s), and how much of that is free of events.
+struct Spans {
+  double wanted = 0.0, calm = 0.0;
+};
+
+// A file of the cache for what is agreed on, by the parts of its name.
+std::filesystem::path agreement_file(const Scene& scene, const TruthRequest& request, const Spans& spans,
+                                     const std::string& what, const std::filesystem::path& folder) {
+  const std::array numbers{spans.wanted, spans.calm, request.agree_seconds};
+  const std::string key =
+      Hash().add(physics_toml(scene)).add(build_info()).add(what).add(std::span<const double>(numbers)).hex();
+  return folder / (key + ".agreement.json");
 }
 
-// The same, kept in a file.
-Truth cached_agreement(const Scene& scene, const TruthRequest& request, double calm_until, double wanted,
+std::optional<Truth> cached_motion(const Scene& scene, const TruthRequest& request, const Spans& spans,
+                                   const std::filesystem::path& folder) {
+  auto truth = cached(
+      agreement_file(scene, request, spans, "motion", folder),
+      [&] { return motion_by_agreement(scene, spans.wanted, spans.calm, request); },
+      [](const std::optional<Truth>& found) { return found ? to_json(*found) : Json(); },
+      [&](const Json& json) {
+        return json.is_null() ? std::nullopt : std::optional(from_json(json, scene.start));
+      });
+  if (truth && truth->horizon() < spans.wanted)
+    truth->remark = cut_remark(truth->horizon(), spans.wanted, "beyond that no two methods agree");
+  return truth;
+}
+
+Truth cached_summaries(const Scene& scene, const TruthRequest& request, const Spans& spans,
                        const std::string& why, const std::filesystem::path& folder) {
-  const std::array numbers{calm_until, wanted, request.most_seconds, request.motion ? 1.0 : 0.0};
-  const std::string key =
-      Hash().add(physics_toml(scene)).add(build_info()).add(why).add(std::span<const double>(numbers)).hex();
   return cached(
-      folder / (key + ".agreement.json"),
-      [&] { return truth_by_agreement(scene, request, calm_until, wanted, why); }, to_json,
+      agreement_file(scene, request, spans, why, folder),
+      [&] { return summaries_by_agreement(scene, spans.calm, request, why); }, to_json,
       [&](const Json& json) { return from_json(json, scene.start); });
 }
 
 }  // namespace
 
 Truth scene_truth(const Scene& scene, const TruthRequest& request, const std::filesystem::path& folder) {
-  constexpr double worth = 2.0;
-  const double wanted = sixtieths(std::min(request.horizon.value_or(scene.duration), scene.duration));
-  const std::optional<Event> event = first_event(scene.model, scene.start, wanted);
-  const double calm_until = event ? std::max(1.0, std::floor(60.0 * time_before(*event))) / 60.0 : wanted;
+  constexpr double worth = 1.2;
+  Spans spans;
+  spans.wanted = sixtieths(std::min(request.horizon.value_or(scene.duration), scene.duration));
+  const std::optional<Event> event = first_event(scene.model, scene.start, spans.wanted);
+  spans.calm = event ? std::max(1.0, std::floor(60.0 * time_before(*event))) / 60.0 : spans.wanted;
   const std::string ending = event ? fmt::format("at {:.3g} s {}", event->time, event->what) : "";
-  if (!request.motion)
-    return cached_agreement(scene, request, calm_until, wanted, "no motion was asked for", folder);
+  if (!request.motion) return cached_summaries(scene, request, spans, "no motion was asked for", folder);
 
-  const Reference reference = longest_reference(scene, calm_until, request.finest, folder);
-  if (!reference.certified()) {
-    const std::string why = "no motion: " + reference.refusal + (event ? "; " + ending : "");
-    return cached_agreement(scene, request, calm_until, wanted, why, folder);
+  const Reference reference = longest_reference(scene, spans.calm, request, folder);
+  std::optional<Truth> certified;
+  if (reference.certified()) {
+    certified = truth_from(scene.model, scene.start, reference);
+    if (certified->horizon() < spans.wanted)
+      certified->remark = cut_remark(certified->horizon(), spans.wanted,
+                                     event ? ending : "beyond that no motion could be certified");
+    if (!event) return *std::move(certified);
   }
-  Truth truth = truth_from(scene.model, scene.start, reference);
-  if (truth.horizon() < wanted)
-    truth.remark = cut_remark(truth.horizon(), wanted,
-                              event ? ending : std::string("beyond that no motion could be certified"));
-  if (!event || worth * truth.horizon() >= wanted) return truth;
-  Truth agreed = cached_agreement(scene, request, calm_until, wanted, "", folder);
-  return !agreed.states.empty() && agreed.horizon() > worth * truth.horizon() ? agreed : truth;
+  const std::optional<Truth> agreed = cached_motion(scene, request, spans, folder);
+  if (agreed && (!certified || agreed->horizon() > worth * certified->horizon())) return *agreed;
+  if (certified) return *std::move(certified);
+  return cached_summaries(scene, request, spans,
+                          "no motion: " + reference.refusal + (event ? "; " + ending : ""), folder);
 }
 
 }  // namespace taut

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/stop.h"
 #include "measure/truth.h"
 #include "methods/method.h"
 #include "model/model.h"
@@ -46,8 +47,8 @@ ErrorKind judging_kind(const Truth& truth, ErrorKind kind, double wanted);
 /// (GridWalk), judges every run by the truth up to its horizon, and takes the one predicted to be cheapest of
 /// those within nine tenths of the target; dearer ones are not run. Where none is good enough before the work
 /// that may be spent on it is, the best is taken. `only`: a method that the plan has to use; empty: any.
-/// Decided by counts alone, never by a clock: the same scene gets the same plan.
+/// Decided by counts alone, never by a clock: the same scene gets the same plan. Throws Interrupted.
 Plan make_plan(const Model& model, const State& start, const Truth& truth, double duration,
-               const AccuracyTarget& target, std::string_view only = {});
+               const AccuracyTarget& target, std::string_view only = {}, const StopTest& stop = {});
 
 }  // namespace taut

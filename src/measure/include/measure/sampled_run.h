@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "base/stop.h"
 #include "methods/advance.h"
 #include "methods/method.h"
 
@@ -17,8 +18,9 @@ struct SampledRun {
 };
 
 /// Runs a scene from its start with complete settings through rising times (s), between two steps
-/// interpolated. Throws BadRequest where the method refuses these settings for this model.
+/// interpolated. Throws BadRequest where the method refuses these settings for this model, and
+/// Interrupted.
 SampledRun sampled_run(const Model& model, const State& start, const Settings& settings,
-                       const std::vector<double>& times, const Guard& guard = {});
+                       const std::vector<double>& times, const Guard& guard = {}, const StopTest& stop = {});
 
 }  // namespace taut

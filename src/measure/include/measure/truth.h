@@ -62,8 +62,7 @@ struct Truth {
   double horizon() const { return times.back(); }
 };
 
-/// Whether any link has no stiffness: then `strain` needs no reference, and rounding alone limits it.
-bool has_rigid_links(const Model& model);
+/// Where any link is rigid, `strain` needs no reference, and rounding alone limits it.
 inline constexpr double exact_length_limit = 1e-14;
 
 /// What a certified reference says. Errors are judged down to a hundred times its uncertainty.

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/stop.h"
 #include "measure/curves.h"
 #include "measure/truth.h"
 #include "methods/advance.h"
@@ -36,8 +37,9 @@ struct JudgedRun {
   StepReport counts;
 };
 
-/// Runs a scene once, without halving steps, and judges it.
-JudgedRun judge_run(const Model& model, const State& start, const Truth& truth, const Settings& settings);
+/// Runs a scene once, without halving steps, and judges it. Throws Interrupted.
+JudgedRun judge_run(const Model& model, const State& start, const Truth& truth, const Settings& settings,
+                    const StopTest& stop = {});
 
 /// A step that can't be solved counts as diverged in charts: halving it would make several steps of one.
 inline constexpr Guard chart_guard{false, 0};

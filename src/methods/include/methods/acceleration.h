@@ -10,8 +10,8 @@ namespace taut {
 /// The equations of motion at acceleration level: with d·d̈ + |ḋ|² = 0 in every whole rigid link (index
 /// reduction: the second derivative of |d|² = l²), the multipliers follow from
 ///   (J W Jᵀ) λ = J a_free + |ḋ|²,    a = a_free − W Jᵀ λ,
-/// where a_free holds gravity, loads, drag, wind, links with stiffness, and the driven pins' accelerations. Ground
-/// planes and breaking are left out.
+/// where a_free holds gravity, loads, drag, wind, links with stiffness, and the driven pins' accelerations.
+/// Ground planes and breaking are left out.
 class AccelerationField {
  public:
   /// For the links that are whole in `state`.

@@ -22,6 +22,9 @@ std::span<const Part> model_parts();
 /// True when every free mass has the same mass, so that links need no weights.
 bool equal_masses(const Model& model);
 
+/// Whether any link has no stiffness.
+bool has_rigid_links(const Model& model);
+
 /// True when nothing ever leaves the plane through the start that is perpendicular to z: no position,
 /// velocity, force, motion of a pin or ground has a part along z. Exact, so that leaving z out changes no
 /// bit.

@@ -58,8 +58,8 @@ struct Chart {
 
 /// Measures a scene's chart, saving every case in `store` as it comes; what is there from the same inputs is
 /// not run again. Stops when told to, or when the budget is spent (what is missing is then `counts.open`).
-/// Throws BadRequest for methods that do not exist or errors that can't be judged, OutputConflict and
-/// RunFailure.
+/// Throws BadRequest for methods that do not exist or errors that can't be judged, OutputConflict,
+/// RunFailure, and Interrupted when told to stop before the truth is known.
 Chart measure_chart(const Scene& scene, const ChartRequest& request, const std::filesystem::path& store,
                     Progress& progress, const StopTest& stop = {});
 

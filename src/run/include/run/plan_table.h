@@ -26,7 +26,7 @@ struct PlanVerdict {
 };
 
 /// Plans a charted scene for errors of 10 %, 1 % and 0.1 %, runs each plan, and judges it.
-std::vector<PlanVerdict> judge_plans(const Scene& scene, const Chart& chart);
+std::vector<PlanVerdict> judge_plans(const Scene& scene, const Chart& chart, const StopTest& stop = {});
 
 /// The verdicts as a Markdown table, with a sentence that counts those that can be judged.
 std::string plan_table(const std::vector<PlanVerdict>& verdicts);

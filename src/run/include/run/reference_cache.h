@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/stop.h"
 #include "measure/reference.h"
 #include "scene/scene.h"
 
@@ -17,9 +18,10 @@ std::filesystem::path reference_folder();
 std::string physics_toml(const Scene& scene);
 
 /// make_reference() for a scene, kept in a file whose name covers the scene's physics, the times, the
-/// accuracy and the build; a second call with the same reads that file. A folder that can't be written only
-/// costs the time. Refusals are kept too.
+/// accuracy, most_seconds and the build; a second call with the same reads that file. A folder that can't be
+/// written only costs the time. Refusals are kept too. Throws Interrupted.
 Reference cached_reference(const Scene& scene, const std::vector<double>& times, double accuracy,
-                           const std::filesystem::path& folder = reference_folder());
+                           const std::filesystem::path& folder = reference_folder(),
+                           double most_seconds = 10.0, const StopTest& stop = {});
 
 }  // namespace taut

@@ -1,19 +1,16 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 
+#include "base/stop.h"
 #include "measure/ledger.h"
 #include "measure/run_measures.h"
 #include "methods/method.h"
 #include "scene/scene.h"
 
 namespace taut {
-
-/// Asked now and then by whatever takes long; true means: come to a whole end soon.
-using StopTest = std::function<bool()>;
 
 /// A scene in motion. It moves in whole steps of 1/steps_per_second; step k is at exactly k/steps_per_second.
 /// What is asked of it in between never changes the run.

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <functional>
+#include <stdexcept>
+
+namespace taut {
+
+/// Asked now and then by whatever takes long; true means: come to a whole end soon.
+using StopTest = std::function<bool()>;
+
+/// What was told to stop had nothing whole to show yet. Exit status 130 or 143.
+class Interrupted : public std::runtime_error {
+ public:
+  Interrupted() : std::runtime_error("interrupted") {}
+};
+
+/// Throws Interrupted when told to stop.
+inline void stop_if_told(const StopTest& stop) {
+  if (stop && stop()) throw Interrupted();
+}
+
+}  // namespace taut
