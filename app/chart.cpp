@@ -98,14 +98,15 @@ int chart(const ChartFlags& flags) {
       charts.push_back(measure_chart(scene, request,
                                      std::filesystem::path(flags.folder) / (scene.name + ".cases.jsonl"),
                                      progress, stop));
-      if (!flags.quiet) print_summary(charts.back(), flags.folder);
       stop_if_told(stop);
+      if (!flags.quiet) print_summary(charts.back(), flags.folder);
       write_chart(charts.back(), flags.folder);
       if (!charts.back().complete()) status = exit_incomplete;
       if (flags.plans)
         std::ranges::move(judge_plans(scene, charts.back(), stop), std::back_inserter(verdicts));
     }
   } catch (const Interrupted&) {
+    fmt::print(stderr, "taut: interrupted; running the same again goes on, in {}\n", flags.folder);
     return exit_signal + interrupts.caught();
   }
   write_chart_page(charts, flags.folder);

@@ -25,6 +25,7 @@ std::optional<Plan> settle_method(Scene& scene, const std::string& accuracy, con
     throw BadRequest(
         fmt::format("--accuracy is such as 1%, trajectory=1mm, strain=1e-3, energy=0.1% or sag=0.5%, not {}",
                     in_quotes(text)));
+  if (!quiet) fmt::print(stderr, "taut: looking for the cheapest way to {} in {}\n", text, scene.name);
   Plan plan = plan_scene(scene, *target, method);
   scene.settings = plan.settings;
   scene.solve_given = true;

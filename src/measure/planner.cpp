@@ -13,8 +13,10 @@
 namespace taut {
 namespace {
 
-constexpr double most_run = 2.0, most_work = 10.0;  // s, predicted: of one short run, of all together
-constexpr double safety = 0.9;                      // of the target
+// Predicted seconds: of one short run, and of all together, which may cost twice what the scene's run will,
+// within these bounds.
+constexpr double most_run = 16.0, least_work = 30.0, most_work = 90.0;
+constexpr double safety = 0.9;  // of the target
 
 std::string settings_text(const Settings& settings) {
   std::string text = fmt::format("{} at {} steps/s", settings.method, settings.steps_per_second());
@@ -54,8 +56,9 @@ struct Search {
   std::size_t runs = 0;
 };
 
+// `whole`: the scene's duration over the truth's horizon.
 Search search(const Model& model, const State& start, const Truth& truth, ErrorKind kind, double good_enough,
-              const std::vector<Curve>& curves, const StopTest& stop) {
+              double whole, const std::vector<Curve>& curves, const StopTest& stop) {
   Search found;
   GridWalk walk(model, curves, truth, most_run);
   double work = 0.0;
@@ -74,8 +77,9 @@ Search search(const Model& model, const State& start, const Truth& truth, ErrorK
       found.cheapest = tried;
       walk.forbid_above(tried.work);
     }
+    const double worth = std::clamp(2.0 * whole * tried.work, least_work, most_work);
     if (tried.error < found.best.error) found.best = std::move(tried);
-    if (work > most_work) break;
+    if (work > worth) break;
   }
   return found;
 }
@@ -101,7 +105,7 @@ Plan make_plan(const Model& model, const State& start, const Truth& truth, doubl
   const std::vector<std::string> methods =
       only.empty() ? std::vector<std::string>{} : std::vector{std::string(only)};
   const Search found = search(model, start, only_kind(truth, kind), kind, safety * wanted,
-                              curves_for(model, methods).curves, stop);
+                              duration / truth.horizon(), curves_for(model, methods).curves, stop);
   if (found.best.error == infinity) return plan_without_truth(truth, wanted);
   const Tried& chosen = found.cheapest ? *found.cheapest : found.best;
 

@@ -18,11 +18,6 @@ constexpr int pass_rows = 5;    // 1 to 256 passes
 constexpr int patience = 2;     // points of a row that a cheaper one of its curve beats
 constexpr int hope = 3;         // points of a row that are no better than those before
 
-// Rows that cost the same per level: a row of four times the passes begins two doublings of the step later.
-int fineness_at(int level, std::size_t row) {
-  return level - 2 * static_cast<int>(row);
-}
-
 }  // namespace
 
 double GridPoint::steps_per_second() const {
@@ -57,22 +52,23 @@ GridWalk::GridWalk(const Model& model, std::vector<Curve> curves, Truth truth, d
 }
 
 std::optional<GridPoint> GridWalk::next() {
-  for (; fineness_at(level_, pass_rows - 1) < finenesses; ++level_, curve_ = 0) {
-    for (; curve_ < walks_.size(); ++curve_, row_ = 0) {
-      for (; row_ < walks_[curve_].rows.size(); ++row_) {
-        Row& row = walks_[curve_].rows[row_];
-        const int fineness = fineness_at(level_, row_);
-        if (row.end != RowEnd::open || fineness < 0 || fineness >= finenesses) continue;
-        current_ = {curve_, fineness, static_cast<int>(row_)};
-        if (predicted_work(current_) <= most_seconds_) {
-          ++row_;
-          return current_;
-        }
+  std::optional<GridPoint> cheapest;
+  double least = infinity;
+  for (std::size_t curve = 0; curve < walks_.size(); ++curve)
+    for (std::size_t place = 0; place < walks_[curve].rows.size(); ++place) {
+      Row& row = walks_[curve].rows[place];
+      if (row.end != RowEnd::open || row.next >= finenesses) continue;
+      const GridPoint point{curve, row.next, static_cast<int>(place)};
+      const double work = predicted_work(point);
+      if (work > most_seconds_) {
         row.end = RowEnd::too_dear;
+      } else if (work < least) {
+        least = work;
+        cheapest = point;
       }
     }
-  }
-  return std::nullopt;
+  if (cheapest) current_ = *cheapest;
+  return cheapest;
 }
 
 void GridWalk::record(const JudgedRun& run) {

@@ -25,7 +25,7 @@ constexpr double run_share = 1.0 / 200.0, case_share = 1.0 / 30.0;
 
 // How long one run may take (s, predicted): in large scenes long enough for a row of doublings.
 double longest_run(const Scene& scene, const Truth& truth, double budget) {
-  constexpr double coarsest = 60.0, doublings = 7.0;  // 1/s
+  constexpr double coarsest = 60.0, doublings = 9.0;  // 1/s
   return std::max(
       budget * run_share,
       std::exp2(doublings) * predicted_seconds(scene.model, "xpbd", coarsest * truth.horizon(), 1));

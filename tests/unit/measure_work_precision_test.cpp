@@ -146,6 +146,19 @@ TEST(GridWalk, GivesUpPassesThatDoNotPay) {
   EXPECT_GT(walk.counts().off_front, 30U);
 }
 
+// Long steps of a dear method wait until short ones of a cheap method have been tried.
+TEST(GridWalk, GoesFromCheapToDearOverAllCurves) {
+  const Built built = pendulums(40);
+  const std::vector<std::string> points = walked(built, pendulum_truth(built), 1e-2);
+  const auto place = [&](const char* point) {
+    const auto found = std::ranges::find(points, point);
+    EXPECT_NE(found, points.end()) << point;
+    return found - points.begin();
+  };
+  EXPECT_LT(place("verlet 240.000000 1"), place("verlet 60.000000 16"));
+  EXPECT_LT(place("verlet 120.000000 1"), place("rattle order 4 60.000000 1"));
+}
+
 TEST(ParetoFront, HoldsWhatNothingBeats) {
   const std::vector<double> costs{4.0, 1.0, 2.0, 3.0, 2.0}, errors{0.1, 1.0, 0.5, 0.6, 0.4};
   EXPECT_EQ(pareto_front(costs, errors), (std::vector<std::size_t>{1, 4, 0}));

@@ -44,7 +44,8 @@ JudgedRun judge_run(const Model& model, const State& start, const Truth& truth, 
 /// A step that can't be solved counts as diverged in charts: halving it would make several steps of one.
 inline constexpr Guard chart_guard{false, 0};
 
-/// Walks the grid of every curve from cheap to dear and leaves out what can't matter:
+/// Walks the grid of every curve, always on to the point predicted to be cheapest, and leaves out what can't
+/// matter:
 /// - rows of passes that stay off their own curve's front (two points in a row where a cheaper point of the
 ///   same curve has half the error, of every kind), and rows of more passes that had not begun by then,
 /// - finer steps once errors no longer fall (by a tenth in three halvings) or are smaller than can be judged,
@@ -99,8 +100,6 @@ class GridWalk {
   Truth truth_;
   double most_seconds_;
   std::vector<CurveWalk> walks_;
-  int level_ = 0;
-  std::size_t curve_ = 0, row_ = 0;  // where in its level the walk goes on
   GridPoint current_;
 };
 

@@ -22,7 +22,7 @@ struct ChartRequest {
                                   ///< sag, too, and no trajectory where no two methods agree on it
   std::optional<double> horizon;  ///< s
   double budget = 60.0;  ///< s; no single run takes more than about one in two hundred parts of it, or, where
-                         ///< that is more, 128 times what 60 steps per second take
+                         ///< that is more, 512 times what 60 steps per second take
   bool overwrite = false;
 };
 
