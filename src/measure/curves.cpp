@@ -6,16 +6,25 @@
 
 #include "base/failure.h"
 #include "methods/registry.h"
+#include "model/parts.h"
 
 namespace taut {
 namespace {
 
+// Whether it matters how many passes the method makes: not where links with stiffness are all there is, and
+// the method knows them as forces.
+bool relaxes(const Model& model, const Method& method) {
+  const bool springs_are_forces = method.can.limit == StepLimit::sideways_vibration;
+  return find_param(method, "passes") != nullptr &&
+         (!springs_are_forces || has_rigid_links(model) || !model.limits.empty());
+}
+
 // All combinations of a method's worded parameters, the method's default first.
-std::vector<Curve> variants(const Method& method, std::size_t place) {
+std::vector<Curve> variants(const Model& model, const Method& method, std::size_t place) {
   Curve plain;
   plain.name = method.name;
   plain.settings = complete_settings({std::string(method.name), {}});
-  plain.relaxes = find_param(method, "passes") != nullptr;
+  plain.relaxes = relaxes(model, method);
   plain.method = place;
   std::vector<Curve> curves{plain};
   for (const Param& param : method.params) {
@@ -68,7 +77,7 @@ Curves curves_for(const Model& model, const std::vector<std::string>& methods) {
           fmt::format("{} {}", method.name, first.substr(what, first.find(';') - what)));
       continue;
     }
-    for (Curve& curve : variants(method, place)) {
+    for (Curve& curve : variants(model, method, place)) {
       if (const std::string problem = refusal(model, method, curve); !problem.empty())
         result.omissions.push_back(fmt::format("{}: {}", curve.name, problem));
       else

@@ -99,18 +99,30 @@ std::string error_label(const Chart& chart, ErrorKind kind) {
   return "";
 }
 
-std::string diverged_note(const Chart& chart) {
-  std::map<std::size_t, std::vector<std::string>> by_curve;
-  for (const ChartCase& done : chart.cases) {
-    if (!done.run.diverged) continue;
-    const std::string passes = done.point.row > 0 ? fmt::format(" × {}", done.point.passes()) : "";
-    by_curve[done.point.curve].push_back(fmt::format("{}{}", done.settings.steps_per_second(), passes));
+// Rates that follow one another by doubling, as "60–480", and others, as a list.
+std::string ranges_of(std::vector<double> rates) {
+  std::ranges::sort(rates);
+  std::vector<std::string> ranges;
+  for (std::size_t first = 0; first < rates.size();) {
+    std::size_t last = first;
+    while (last + 1 < rates.size() && rates[last + 1] == 2.0 * rates[last]) ++last;
+    ranges.push_back(last == first ? fmt::format("{}", rates[first])
+                                   : fmt::format("{}–{}", rates[first], rates[last]));
+    first = last + 1;
   }
-  if (by_curve.empty()) return "No run diverged.";
+  return fmt::format("{}", fmt::join(ranges, ", "));
+}
+
+std::string diverged_note(const Chart& chart) {
+  std::map<std::pair<std::size_t, int>, std::vector<double>> by_row;  // of curve and passes
+  for (const ChartCase& done : chart.cases)
+    if (done.run.diverged)
+      by_row[{done.point.curve, done.point.passes()}].push_back(done.settings.steps_per_second());
+  if (by_row.empty()) return "No run diverged.";
   std::vector<std::string> parts;
-  parts.reserve(by_curve.size());
-  for (const auto& [curve, rates] : by_curve)
-    parts.push_back(fmt::format("{} at {}", chart.curves[curve].name, fmt::join(rates, ", ")));
+  for (const auto& [row, rates] : by_row)
+    parts.push_back(fmt::format("{} {}{}", chart.curves[row.first].name, ranges_of(rates),
+                                row.second > 1 ? fmt::format(" × {}", row.second) : ""));
   return fmt::format("Diverged or refused (steps/s × passes): {}.", fmt::join(parts, "; "));
 }
 

@@ -12,7 +12,7 @@ namespace taut {
 struct Curve {
   std::string name;        ///< the method, and the choice where it has one: "rattle order 4"
   Settings settings;       ///< complete; steps and passes as the method has them by default
-  bool relaxes = false;    ///< has passes
+  bool relaxes = false;    ///< makes passes, and they matter for the model
   std::size_t method = 0;  ///< place in the registry
 };
 
