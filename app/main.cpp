@@ -39,6 +39,7 @@ int run(int argument_count, char** arguments) {
   program.footer("`taut VERB --help` says more.\n\nExample:\n  taut render hanging-chain --film chain.mp4");
   Action action;
   add_render(program, action);
+  add_compare(program, action);
   add_still(program, action);
   add_strip(program, action);
   add_check(program, action);

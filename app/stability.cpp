@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/failure.h"
+#include "base/split.h"
 #include "exit_status.h"
 #include "flags.h"
 #include "methods/registry.h"
@@ -26,16 +27,6 @@ struct StabilityFlags {
   bool resume = false, overwrite = false, draw_only = false, json = false, quiet = false;
 };
 
-std::vector<std::string> split(const std::string& text) {
-  std::vector<std::string> parts;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    parts.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return parts;
-}
-
 // All methods, or those of --methods. Throws BadRequest for one that is none, and for one that comes twice.
 std::vector<MapMethod> chosen_methods(const std::string& list) {
   std::vector<MapMethod> chosen;
@@ -43,7 +34,8 @@ std::vector<MapMethod> chosen_methods(const std::string& list) {
     for (const Method& method : all_methods()) chosen.push_back(parse_map_method(std::string(method.name)));
     return chosen;
   }
-  for (const std::string& text : split(list)) {
+  for (const std::string_view part : split(list, ',')) {
+    const std::string text(part);
     for (const MapMethod& other : chosen)
       if (other.label == text) throw BadRequest(fmt::format("--methods has {} twice", text));
     chosen.push_back(parse_map_method(text));

@@ -14,15 +14,18 @@
 #include "output/film.h"
 #include "render_plan.h"
 #include "run/frame_selection.h"
+#include "run/panels.h"
+#include "takes.h"
 
 namespace taut {
 namespace {
 
-// A state on its way from the simulation to the painter.
+// A moment on its way from the simulation to the painter.
 struct Posed {
   int frame = 0;
   std::string hash;
-  State state;
+  std::vector<Take> takes;
+  std::vector<std::vector<std::string>> lines;  // what is said of each, where there are several
 };
 
 // A picture on its way from the painter to the frame folder and the film.
@@ -60,9 +63,9 @@ class FirstFailure {
 // queue it hands to, and whoever fails also the one it takes from, so that nobody waits for ever.
 class Pipeline {
  public:
-  Pipeline(const Scene& scene, const RenderRequest& request, RenderPlan& plan, Progress& progress,
+  Pipeline(std::span<const Scene> scenes, const RenderRequest& request, RenderPlan& plan, Progress& progress,
            const StopTest& stop)
-      : scene_(scene),
+      : scenes_(scenes),
         request_(request),
         plan_(plan),
         progress_(progress),
@@ -73,7 +76,8 @@ class Pipeline {
 
  private:
   void simulate();
-  void paint(Painter& painter);
+  void paint(PanelPainter& painter);
+  Image picture(const Posed& posed, PanelPainter& painter) const;
   void save_frames();
   void shoot_film(Film& film);
   void start_film(std::optional<Film>& film) const;
@@ -85,7 +89,7 @@ class Pipeline {
     return plan_.folder && (there == already_there_.end() || there->second != posed.hash);
   }
 
-  const Scene& scene_;
+  std::span<const Scene> scenes_;
   const RenderRequest& request_;
   RenderPlan& plan_;
   Progress& progress_;
@@ -102,26 +106,44 @@ class Pipeline {
 };
 
 void Pipeline::simulate() {
-  Simulation simulation(scene_);
+  Takes takes(scenes_);
   for (const int frame : plan_.frames) {
-    std::optional<State> state =
-        simulation.at(frame_time(frame, request_.frames_per_second), [&] { return told_to_stop(); });
-    if (!state || told_to_stop()) {
+    std::optional<std::vector<Take>> now =
+        takes.at(frame_time(frame, request_.frames_per_second), [&] { return told_to_stop(); });
+    if (!now || told_to_stop()) {
       stopped_ = true;
       return;
     }
-    if (frame == plan_.frames.back()) outcome_.measures = simulation.measures(*state);
-    std::string hash = fmt::format("{:016x}", state_hash(*state));
-    if (!posed_.push({frame, std::move(hash), *std::move(state)})) return;
+    Posed posed{frame, takes_hash(*now), {}, {}};
+    for (std::size_t i = 0; i < now->size() && (now->size() > 1 || frame == plan_.frames.back()); ++i) {
+      const TakeOutcome outcome{takes.measures(i), (*now)[i].failure};
+      posed.lines.push_back(take_lines(scenes_[i], outcome.measures, outcome.failure));
+      if (frame == plan_.frames.back()) outcome_.takes.push_back(outcome);
+    }
+    posed.takes = *std::move(now);
+    if (!posed_.push(std::move(posed))) return;
   }
 }
 
-void Pipeline::paint(Painter& painter) {
+Image Pipeline::picture(const Posed& posed, PanelPainter& painter) const {
+  std::vector<Panel> panels;
+  for (std::size_t i = 0; i < posed.takes.size(); ++i) {
+    Panel& panel = panels.emplace_back();
+    panel.state = &posed.takes[i].state;
+    if (posed.takes.size() == 1) continue;
+    panel.title = take_title(scenes_[i]);
+    panel.lines = posed.lines[i];
+    panel.failed = !posed.takes[i].failure.empty();
+  }
+  return painter.draw(panels);
+}
+
+void Pipeline::paint(PanelPainter& painter) {
   while (std::optional<Posed> posed = posed_.pop()) {
     if (failure_.any()) continue;  // what is posed already is let go
     const bool wanted = frame_wanted(*posed);
     if (wanted || plan_.make_film) {
-      Painted painted{posed->frame, posed->hash, std::make_shared<const Image>(painter.draw(posed->state))};
+      Painted painted{posed->frame, posed->hash, std::make_shared<const Image>(picture(*posed, painter))};
       if (plan_.make_film) to_film_.push(painted);
       if (wanted) to_save_.push(std::move(painted));
     }
@@ -145,7 +167,7 @@ RenderOutcome Pipeline::run() {
   if (plan_.folder) plan_.folder->begin();
   std::optional<Film> film;
   if (plan_.make_film) start_film(film);
-  Painter painter(scene_, request_.picture);
+  PanelPainter painter(scenes_.front(), request_.picture);
   progress_.start(static_cast<int>(plan_.frames.size()));
 
   std::thread simulating([&] {
@@ -176,7 +198,7 @@ RenderOutcome Pipeline::run() {
 
 void Pipeline::start_film(std::optional<Film>& film) const {
   if (request_.film->has_parent_path()) make_folder(request_.film->parent_path());
-  film.emplace(film_plan(request_));
+  film.emplace(film_plan(request_, scenes_.size()));
 }
 
 void Pipeline::finish(std::optional<Film>& film) {
@@ -197,16 +219,17 @@ void Pipeline::finish(std::optional<Film>& film) {
 
 }  // namespace
 
-RenderOutcome render_frames(const Scene& scene, const RenderRequest& request, Progress& progress,
+RenderOutcome render_frames(std::span<const Scene> scenes, const RenderRequest& request, Progress& progress,
                             const StopTest& stop) {
-  RenderPlan plan = make_render_plan(scene, request);
+  RenderPlan plan = make_render_plan(scenes, request);
   RenderOutcome outcome;
   if (plan.complete())
     outcome.shown = outcome.kept = plan.frames.size();
   else
-    outcome = Pipeline(scene, request, plan, progress, stop).run();
+    outcome = Pipeline(scenes, request, plan, progress, stop).run();
   outcome.asked = plan.frames.size();
   outcome.inputs = plan.inputs;
+  outcome.size = sheet_size(request.picture.render.size, scenes.size());
   outcome.film_kept = request.film && !plan.make_film;
   return outcome;
 }

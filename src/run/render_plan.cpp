@@ -11,19 +11,29 @@
 #include "output/film.h"
 #include "run/build_info.h"
 #include "run/frame_selection.h"
+#include "run/panels.h"
 
 namespace taut {
 namespace {
 
 namespace fs = std::filesystem;
 
-Manifest wanted_manifest(const Scene& scene, const RenderRequest& request) {
+// The method's name and settings; of several, all names, and before each setting the number of its panel.
+void describe_methods(std::span<const Scene> scenes, Manifest& manifest) {
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const Settings& settings = scenes[i].settings;
+    manifest.method += (i > 0 ? ", " : "") + settings.method;
+    for (const auto& [name, value] : settings.values)
+      manifest.settings[scenes.size() == 1 ? name : fmt::format("{}.{}", i + 1, name)] = value;
+  }
+}
+
+Manifest wanted_manifest(std::span<const Scene> scenes, const RenderRequest& request) {
   Manifest manifest;
-  manifest.scene = scene.name;
-  manifest.scene_toml = resolved_toml(scene);
-  manifest.method = scene.settings.method;
-  manifest.settings = {scene.settings.values.begin(), scene.settings.values.end()};
-  manifest.size = request.picture.render.size;
+  manifest.scene = scenes.front().name;
+  manifest.scene_toml = resolved_toml(scenes.front());
+  describe_methods(scenes, manifest);
+  manifest.size = sheet_size(request.picture.render.size, scenes.size());
   manifest.frames_per_second = request.frames_per_second;
   manifest.picture = settings_text(request.picture);
   manifest.plan = request.plan;
@@ -33,6 +43,7 @@ Manifest wanted_manifest(const Scene& scene, const RenderRequest& request) {
   for (const std::string& part : {manifest.scene_toml, manifest.picture, manifest.build,
                                   fmt::format("{} frames/s", manifest.frames_per_second)})
     hash.add(part).add("\n");
+  for (const Scene& other : scenes.subspan(1)) hash.add(resolved_toml(other)).add("\n");
   manifest.inputs = hash.hex();
   return manifest;
 }
@@ -78,8 +89,8 @@ void plan_film(RenderPlan& plan, const RenderRequest& request) {
 
 }  // namespace
 
-FilmPlan film_plan(const RenderRequest& request) {
-  return {*request.film, request.picture.render.size, request.frames_per_second,
+FilmPlan film_plan(const RenderRequest& request, std::size_t panels) {
+  return {*request.film, sheet_size(request.picture.render.size, panels), request.frames_per_second,
           request.picture.render.transparent};
 }
 
@@ -87,17 +98,18 @@ bool RenderPlan::complete() const {
   return !make_film && folder && std::ranges::all_of(frames, [&](int frame) { return folder->has(frame); });
 }
 
-RenderPlan make_render_plan(const Scene& scene, const RenderRequest& request) {
+RenderPlan make_render_plan(std::span<const Scene> scenes, const RenderRequest& request) {
   if (!request.folder && !request.film)
     throw BadRequest("without frames and without a film there is nothing to make; --film FILE asks for one");
   check_size(request.picture.render.size);
+  check_size(sheet_size(request.picture.render.size, scenes.size()));
   check_rate(request.frames_per_second);
   RenderPlan plan;
-  const int count = frame_count(scene.duration, request.frames_per_second);
+  const int count = frame_count(scenes.front().duration, request.frames_per_second);
   plan.frames = request.selection ? select_frames(*request.selection, count) : all_frames(count);
-  if (request.film) check_film_plan(film_plan(request));
+  if (request.film) check_film_plan(film_plan(request, scenes.size()));
 
-  const Manifest wanted = wanted_manifest(scene, request);
+  const Manifest wanted = wanted_manifest(scenes, request);
   plan.inputs = wanted.inputs;
   if (request.folder) plan.folder.emplace(*request.folder, wanted, request.overwrite);
   if (request.film) plan_film(plan, request);

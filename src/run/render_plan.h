@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,11 +23,11 @@ struct RenderPlan {
   bool complete() const;
 };
 
-/// The film that a request asks for; only for one that does.
-FilmPlan film_plan(const RenderRequest& request);
+/// The film that a request asks for, of so many panels; only for one that asks.
+FilmPlan film_plan(const RenderRequest& request, std::size_t panels);
 
 /// Checks a request. Writes nothing. Throws BadRequest, OutputConflict, and RunFailure where the program for
 /// films is missing.
-RenderPlan make_render_plan(const Scene& scene, const RenderRequest& request);
+RenderPlan make_render_plan(std::span<const Scene> scenes, const RenderRequest& request);
 
 }  // namespace taut

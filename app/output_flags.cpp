@@ -1,0 +1,103 @@
+#include "output_flags.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "exit_status.h"
+#include "measures_json.h"
+#include "planning.h"
+#include "run/signals.h"
+#include "values.h"
+
+namespace taut {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// A method, and what came of it.
+Json take_to_json(const Scene& scene, const TakeOutcome& take) {
+  Json json{{"method", scene.settings.method}, {"measures", measures_to_json(take.measures, scene.model)}};
+  if (!take.failure.empty()) json["failure"] = take.failure;
+  return json;
+}
+
+void print_json(std::span<const Scene> scenes, const RenderRequest& request, const RenderOutcome& outcome,
+                const std::optional<Plan>& plan) {
+  Json json{{"scene", scenes.front().name},
+            {"method", scenes.front().settings.method},
+            {"frames", {{"asked", outcome.asked}, {"there", outcome.shown}, {"kept", outcome.kept}}},
+            {"folder", nullptr},
+            {"film", nullptr},
+            {"width", outcome.size.width},
+            {"height", outcome.size.height},
+            {"frames_per_second", request.frames_per_second},
+            {"seconds", outcome.seconds},
+            {"inputs", outcome.inputs},
+            {"last_state_hash", outcome.last_state_hash},
+            {"stopped", outcome.stopped}};
+  if (scenes.size() > 1) {
+    json.erase("method");
+    json["methods"] = Json::array();
+    for (std::size_t i = 0; i < outcome.takes.size(); ++i)
+      json["methods"].push_back(take_to_json(scenes[i], outcome.takes[i]));
+  } else if (!outcome.takes.empty()) {
+    json["measures"] = measures_to_json(outcome.takes.front().measures, scenes.front().model);
+  }
+  if (plan) json["plan"] = plan_to_json(*plan);
+  if (request.folder) json["folder"] = request.folder->string();
+  if (request.film && !outcome.stopped) json["film"] = request.film->string();
+  fmt::print("{}\n", json.dump(2));
+}
+
+void print_summary(std::span<const Scene> scenes, const RenderRequest& request,
+                   const RenderOutcome& outcome) {
+  const std::string kept = outcome.kept > 0 ? fmt::format(", {} of them there already", outcome.kept) : "";
+  fmt::print(stderr, "{}: {} of {} frames{}", scenes.front().name, outcome.shown, outcome.asked, kept);
+  if (request.folder) fmt::print(stderr, ", in {}", request.folder->string());
+  if (request.film && !outcome.stopped) fmt::print(stderr, ", film in {}", request.film->string());
+  if (request.film && outcome.stopped) fmt::print(stderr, ", no film");
+  fmt::print(stderr, ", {}\n", duration_text(outcome.seconds));
+  for (const TakeOutcome& take : outcome.takes)
+    if (!take.failure.empty()) fmt::print(stderr, "{}\n", take.failure);
+}
+
+}  // namespace
+
+void OutputFlags::add_to(CLI::App& verb, const std::string& usual_folder) {
+  verb.add_option("-o,--output", folder, fmt::format("Folder for the frames [{}]", usual_folder));
+  verb.add_option("--film", film, "Also make a film; its ending chooses .mp4, .webm, .gif or .webp");
+  verb.add_flag("--no-frames", no_frames, "Only the film, no PNG files");
+  verb.add_option("--frames", selection, "Only these frames, such as 1-100:2,150");
+  picture.add_to(verb);
+  verb.add_option("--fps", rate, "Frames per second")->capture_default_str();
+  verb.add_flag("--overwrite", overwrite, "Replace frames and a film that are there already");
+  verb.add_flag("--json", json, "Print a summary as JSON on stdout");
+  verb.add_flag("--quiet", quiet, "No progress and no summary");
+}
+
+RenderRequest OutputFlags::request(const std::string& usual_folder, std::optional<Size> usual) const {
+  RenderRequest request;
+  if (!no_frames) request.folder = folder.empty() ? usual_folder : folder;
+  if (!film.empty()) request.film = film;
+  if (!selection.empty()) request.selection = selection;
+  request.frames_per_second = parse_number("--fps", rate);
+  request.picture = picture.settings(usual);
+  request.overwrite = overwrite;
+  return request;
+}
+
+int render_and_report(std::span<const Scene> scenes, const RenderRequest& request, const OutputFlags& flags,
+                      const std::optional<Plan>& plan) {
+  const InterruptWatch interrupts;
+  Progress progress(stderr, progress_style(stderr, flags.quiet), "frames");
+  const RenderOutcome outcome =
+      render_frames(scenes, request, progress, [&] { return interrupts.caught() != 0; });
+  if (flags.json) print_json(scenes, request, outcome, plan);
+  if (!flags.quiet) print_summary(scenes, request, outcome);
+  if (plan && !flags.quiet) print_accuracy(*plan);
+  return outcome.stopped ? exit_signal + interrupts.caught() : exit_done;
+}
+
+}  // namespace taut

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "flags.h"
+#include "measure/planner.h"
+#include "run/frames.h"
+
+namespace taut {
+
+/// Where frames and films go, and what is told of them.
+struct OutputFlags {
+  PictureFlags picture;
+  std::string folder, film, selection, rate = "30";
+  bool no_frames = false, overwrite = false, json = false, quiet = false;
+
+  void add_to(CLI::App& verb, const std::string& usual_folder);
+  /// Throws BadRequest. `usual` is the size of a picture where neither size nor quality is given.
+  RenderRequest request(const std::string& usual_folder, std::optional<Size> usual = {}) const;
+};
+
+/// Renders a scene, run in one way or in several, says what came of it, and returns the exit status.
+int render_and_report(std::span<const Scene> scenes, const RenderRequest& request, const OutputFlags& flags,
+                      const std::optional<Plan>& plan = {});
+
+}  // namespace taut
