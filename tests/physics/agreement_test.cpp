@@ -64,7 +64,7 @@ TEST(Opinions, OfImpactsAreOfManyPasses) {
   description.planes = {PlaneSpec{{0.0, -0.05, 0.0}, Vec3::UnitY(), 0.4}};
   const Built built = build_valid(description);
   const std::vector<double> times{0.05, 0.1, 0.15, 0.2};
-  const auto opinions = opinions_of(built.model, built.start, times, 0.5);
+  const auto opinions = opinions_of(built.model, built.start, times, 0.05);
   const auto verlet = std::ranges::find(opinions, "verlet", &Opinion::name);
   ASSERT_NE(verlet, opinions.end());
   const State many = run(built, settings("verlet", verlet->rate, 64.0), 0.2);

@@ -9,8 +9,8 @@
 
 namespace taut {
 
-/// Plans a scene's run (make_plan()) by its truth (scene_truth()), which is kept in a folder. Of large scenes
-/// only as much is looked at as short runs can be made of. Throws Interrupted.
+/// Plans a scene's run (make_plan()) by its truth (scene_truth()), which is kept in a folder. Throws
+/// Interrupted.
 Plan plan_scene(const Scene& scene, const AccuracyTarget& target, std::string_view only = {},
                 const std::filesystem::path& folder = reference_folder(), const StopTest& stop = {});
 
