@@ -21,8 +21,9 @@ inline constexpr int rounds_to_settle = 6;
 inline constexpr double settled_error = 0.05;
 
 /// Tells steps that make energy out of nothing. The gain of kinetic, gravity and elastic energy over a step,
-/// less the work of loads and driven pins, and mass × air speed² where there is wind, must stay below a tenth of the scene's energies: (weight and full
-/// loads) × total link length, kinetic and elastic energy before, and mass × pin speed².
+/// less the work of loads and driven pins, and mass × air speed² where there is wind, must stay below a tenth
+/// of the scene's energies: (weight and full loads) × total link length, kinetic and elastic energy before,
+/// and mass × pin speed².
 class EnergyWatch {
  public:
   explicit EnergyWatch(const Model& model);
