@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -61,7 +60,6 @@ ChartRequest request_from(const ChartFlags& flags) {
   return request;
 }
 
-// The request for one scene of several.
 std::vector<Scene> load_all(const ChartFlags& flags) {
   std::vector<std::string> names = flags.scenes;
   if (flags.all)

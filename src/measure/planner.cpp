@@ -15,7 +15,7 @@ namespace {
 
 // Predicted seconds: of one short run, and of all together, which may cost twice what the scene's run will,
 // within these bounds.
-constexpr double most_run = 16.0, least_work = 30.0, most_work = 90.0;
+constexpr double most_run = 16.0, least_work = 60.0, most_work = 90.0;
 constexpr double safety = 0.9;  // of the target
 
 std::string settings_text(const Settings& settings) {

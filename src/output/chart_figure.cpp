@@ -14,6 +14,7 @@ constexpr int left = 200, right = 50, top = 150, plot_height = 920;  // pixels
 constexpr int axis_room = 175, note_line = 36;                       // pixels
 constexpr std::size_t note_letters = 102;                            // a line
 constexpr double letter_width = 0.62 * plot_letters;                 // pixels, about
+constexpr double name_gap = 16.0;                                    // pixels, left of a curve's name
 constexpr double small_letter_width = 0.62 * plot_small_letters;     // pixels, about
 
 // A logarithmic axis and where it lies on the picture.
@@ -121,7 +122,8 @@ struct NameTag {
 
   Box box() const {
     const double half = 0.62 * plot_letters;
-    return {x - letter_width * static_cast<double>(curve->name.size()), x + 4.0, y - half, y + half};
+    return {x - letter_width * static_cast<double>(curve->name.size()) - name_gap, x + 4.0, y - half,
+            y + half};
   }
 };
 
