@@ -52,7 +52,7 @@ Axes axes_of(const ChartFigure& figure) {
   const double floors = std::max(1.0, std::log10(y_high / y_low));
   return {{x_low * std::pow(10.0, -decades * names / (1.0 - names)), x_high * std::pow(10.0, 0.04 * decades),
            left, width - right},
-          {y_low * std::pow(10.0, -0.09 * floors), y_high * std::pow(10.0, 0.12 * floors), 0.0, plot_height}};
+          {y_low * std::pow(10.0, -0.09 * floors), y_high * std::pow(10.0, 0.18 * floors), 0.0, plot_height}};
 }
 
 // Lines of at most so many characters, broken at spaces.
