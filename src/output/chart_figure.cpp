@@ -12,7 +12,7 @@ namespace {
 constexpr int width = 1800;                                          // pixels
 constexpr int left = 200, right = 50, top = 150, plot_height = 920;  // pixels
 constexpr int axis_room = 175, note_line = 36;                       // pixels
-constexpr std::size_t note_letters = 102;                            // a line
+constexpr std::size_t note_letters = 99;                             // a line
 constexpr double letter_width = 0.62 * plot_letters;                 // pixels, about
 constexpr double name_gap = 16.0;                                    // pixels, left of a curve's name
 constexpr double small_letter_width = 0.62 * plot_small_letters;     // pixels, about
