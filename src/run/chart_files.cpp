@@ -120,6 +120,7 @@ std::string diverged_note(const Chart& chart) {
       by_row[{done.point.curve, done.point.passes()}].push_back(done.settings.steps_per_second());
   if (by_row.empty()) return "No run diverged.";
   std::vector<std::string> parts;
+  parts.reserve(by_row.size());
   for (const auto& [row, rates] : by_row)
     parts.push_back(fmt::format("{} {}{}", chart.curves[row.first].name, ranges_of(rates),
                                 row.second > 1 ? fmt::format(" × {}", row.second) : ""));
