@@ -13,7 +13,7 @@ namespace taut::testing {
 class TemporaryFolder {
  public:
   TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "taut-test-XXXXXX").string();
+    std::string name = (std::filesystem::temp_directory_path() / "taut-test-").string() + std::string(6, 'X');
     if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
     path_ = name;
   }

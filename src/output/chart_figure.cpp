@@ -9,13 +9,14 @@
 namespace taut {
 namespace {
 
-constexpr int width = 1800;                                          // pixels
-constexpr int left = 200, right = 50, top = 150, plot_height = 920;  // pixels
-constexpr int axis_room = 175, note_line = 36;                       // pixels
-constexpr std::size_t note_letters = 99;                             // a line
-constexpr double letter_width = 0.62 * plot_letters;                 // pixels, about
-constexpr double name_gap = 16.0;                                    // pixels, left of a curve's name
-constexpr double small_letter_width = 0.62 * plot_small_letters;     // pixels, about
+constexpr int width = 1800;                                       // pixels
+constexpr int left = 200, right = 50, plot_height = 920;          // pixels
+constexpr int title_room = 120, least_top = 150;                  // pixels
+constexpr int axis_room = 175, note_line = 36;                    // pixels
+constexpr std::size_t note_letters = 99;                          // a line
+constexpr double letter_width = 0.62 * plot_letters;              // pixels, about
+constexpr double name_gap = 16.0;                                 // pixels, left of a curve's name
+constexpr double small_letter_width = 0.62 * plot_small_letters;  // pixels, about
 
 // A logarithmic axis and where it lies on the picture.
 struct Axis {
@@ -52,7 +53,7 @@ Axes axes_of(const ChartFigure& figure) {
   const double floors = std::max(1.0, std::log10(y_high / y_low));
   return {{x_low * std::pow(10.0, -decades * names / (1.0 - names)), x_high * std::pow(10.0, 0.04 * decades),
            left, width - right},
-          {y_low * std::pow(10.0, -0.09 * floors), y_high * std::pow(10.0, 0.18 * floors), 0.0, plot_height}};
+          {y_low * std::pow(10.0, -0.09 * floors), y_high * std::pow(10.0, 0.12 * floors), 0.0, plot_height}};
 }
 
 // Lines of at most so many characters, broken at spaces.
@@ -158,62 +159,75 @@ std::vector<NameTag> place_names(const ChartFigure& figure, const Axes& axes) {
   return tags;
 }
 
-std::string tag_commands(const std::vector<NameTag>& tags, int height) {
-  const double bottom = height - top - plot_height;
+// The whole picture, in pixels: below the plot as many notes as there are, above it the title, and between
+// the two whatever names stand higher than the plot.
+struct Canvas {
+  int height, bottom;  // of the picture, and of the plot above its lower edge
+
+  Canvas(std::size_t notes, const std::vector<NameTag>& tags)
+      : height(0), bottom(axis_room + note_line * static_cast<int>(notes) + 10) {
+    double highest = 0.0;
+    for (const NameTag& tag : tags) highest = std::max(highest, tag.box().high);
+    const int overhang = static_cast<int>(std::ceil(highest)) - plot_height;
+    height = bottom + plot_height + std::max(least_top, title_room + overhang);
+  }
+
+  double x(double pixel) const { return pixel / width; }
+  double y(double pixel) const { return (bottom + pixel) / height; }
+};
+
+std::string tag_commands(const std::vector<NameTag>& tags, const Canvas& canvas) {
   std::string commands;
   for (const NameTag& tag : tags) {
-    const double x = tag.x / width, y = (bottom + tag.y) / height;
+    const double x = canvas.x(tag.x), y = canvas.y(tag.y);
     if (std::abs(tag.y - tag.point_y) > 12.0)
       commands += fmt::format(
           "set arrow from screen {:.5f},{:.5f} to screen {:.5f},{:.5f} nohead lc rgb '{}' lw 1.5\n",
-          x + 0.002, y, tag.point_x / width, (bottom + tag.point_y) / height, plot_colour(tag.curve->colour));
+          x + 0.002, y, canvas.x(tag.point_x), canvas.y(tag.point_y), plot_colour(tag.curve->colour));
     commands += fmt::format("set label {} at screen {:.5f},{:.5f} right front tc rgb '{}'\n",
                             plot_text(tag.curve->name), x, y, plot_colour(tag.curve->colour));
   }
   return commands;
 }
 
-std::string front_commands(const ChartFigure& figure, const Axes& axes, int height) {
-  const double bottom = height - top - plot_height;
+std::string front_commands(const ChartFigure& figure, const Axes& axes, const Canvas& canvas) {
   std::string commands;
   for (const FigureLabel* label : front_names(figure, axes)) {
     const Box box = front_box(*label, axes);
     commands += fmt::format("set label {} at screen {:.5f},{:.5f} right front font ',{}' tc rgb '{}'\n",
-                            plot_text(label->text), box.right / width,
-                            (bottom + 0.5 * (box.low + box.high)) / height, plot_small_letters, plot_ink);
+                            plot_text(label->text), canvas.x(box.right), canvas.y(0.5 * (box.low + box.high)),
+                            plot_small_letters, plot_ink);
   }
   return commands;
 }
 
-std::string text_commands(const ChartFigure& figure, const std::vector<std::string>& notes, int height) {
+std::string text_commands(const ChartFigure& figure, const std::vector<std::string>& notes,
+                          const Canvas& canvas) {
+  const double margin = canvas.x(30.0);
   std::string commands =
       fmt::format("set label {} at screen {:.5f},{:.5f} left font ',{}' tc rgb '{}'\n",
-                  plot_text(figure.title), 30.0 / width, 1.0 - 45.0 / height, plot_letters + 8, plot_ink);
+                  plot_text(figure.title), margin, 1.0 - 45.0 / canvas.height, plot_letters + 8, plot_ink);
   commands += fmt::format("set label {} at screen {:.5f},{:.5f} left tc rgb '{}'\n",
-                          plot_text(figure.subtitle), 30.0 / width, 1.0 - 100.0 / height, plot_ink);
-  double y = height - top - plot_height;
+                          plot_text(figure.subtitle), margin, 1.0 - 100.0 / canvas.height, plot_ink);
   commands +=
       fmt::format("set label {} at screen {:.5f},{:.5f} center tc rgb '{}'\n", plot_text(figure.x_label),
-                  0.5 * (left + width - right) / width, (y - 122.0) / height, plot_ink);
-  commands +=
-      fmt::format("set label {} at screen {:.5f},{:.5f} center rotate by 90 tc rgb '{}'\n",
-                  plot_text(figure.y_label), 35.0 / width, (y + 0.5 * plot_height) / height, plot_ink);
-  y -= axis_room;
+                  canvas.x(0.5 * (left + width - right)), canvas.y(-122.0), plot_ink);
+  commands += fmt::format("set label {} at screen {:.5f},{:.5f} center rotate by 90 tc rgb '{}'\n",
+                          plot_text(figure.y_label), canvas.x(35.0), canvas.y(0.5 * plot_height), plot_ink);
+  double y = -axis_room;
   for (const std::string& note : notes) {
     commands += fmt::format("set label {} at screen {:.5f},{:.5f} left font ',{}' tc rgb '{}'\n",
-                            plot_text(note), 30.0 / width, y / height, plot_small_letters, plot_ink);
+                            plot_text(note), margin, canvas.y(y), plot_small_letters, plot_ink);
     y -= note_line;
   }
   return commands;
 }
 
-std::string axis_commands(const Axes& axes, int height) {
-  constexpr double across = width;
+std::string axis_commands(const Axes& axes, const Canvas& canvas) {
   std::string commands = fmt::format("set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\n",
-                                     left / across, 1.0 - right / across);
-  const double bottom = height - top - plot_height;
+                                     canvas.x(left), canvas.x(width - right));
   commands += fmt::format("set tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n",
-                          (bottom + plot_height) / height, bottom / height);
+                          canvas.y(plot_height), canvas.y(0.0));
   commands += fmt::format("set logscale xy\nset xrange [{:.9g}:{:.9g}]\nset yrange [{:.9g}:{:.9g}]\n",
                           axes.x.low, axes.x.high, axes.y.low, axes.y.high);
   const int step = axes.x.high / axes.x.low > 1e12 ? 100 : 10;
@@ -251,12 +265,13 @@ std::string curve_commands(const ChartFigure& figure) {
 
 PlotScript figure_script(const ChartFigure& figure) {
   const std::vector<std::string> notes = wrapped(figure.notes);
-  const int height = top + plot_height + axis_room + note_line * static_cast<int>(notes.size()) + 10;
   const Axes axes = axes_of(figure);
-  std::string commands = axis_commands(axes, height) + text_commands(figure, notes, height) +
-                         front_commands(figure, axes, height) +
-                         tag_commands(place_names(figure, axes), height) + curve_commands(figure);
-  return {std::move(commands), {width, height}};
+  const std::vector<NameTag> tags = place_names(figure, axes);
+  const Canvas canvas(notes.size(), tags);
+  std::string commands = axis_commands(axes, canvas) + text_commands(figure, notes, canvas) +
+                         front_commands(figure, axes, canvas) + tag_commands(tags, canvas) +
+                         curve_commands(figure);
+  return {std::move(commands), {width, canvas.height}};
 }
 
 }  // namespace taut

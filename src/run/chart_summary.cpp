@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/digits.h"
 #include "measure/planner.h"
 
 namespace taut {
@@ -40,13 +41,6 @@ std::string duration_of(double seconds) {
   return seconds < 1.0 ? fmt::format("{:.3g} ms", 1e3 * seconds) : fmt::format("{:.3g} s", seconds);
 }
 
-// Two digits that matter, written out.
-std::string multiple(double ratio) {
-  if (ratio < 10.0) return fmt::format("{:.2g}", ratio);
-  const double place = std::pow(10.0, std::floor(std::log10(ratio)) - 1.0);
-  return fmt::format("{:.0f}", place * std::round(ratio / place));
-}
-
 struct Entry {
   std::string name;
   CostAt cost;
@@ -73,7 +67,7 @@ std::string row(const Chart& chart, ErrorKind kind, double error) {
   std::vector<std::string> others;
   for (std::size_t i = 1; i < entries.size(); ++i)
     others.push_back(fmt::format("`{}` {}{}", entries[i].name, entries[i].cost.extrapolated ? "~" : "",
-                                 multiple(entries[i].cost.seconds / entries.front().cost.seconds)));
+                                 two_digits(entries[i].cost.seconds / entries.front().cost.seconds)));
   return head + fmt::format("`{}` | {} | {} |\n", entries.front().name, time_of(entries.front()),
                             fmt::join(others, ", "));
 }

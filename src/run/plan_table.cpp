@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/digits.h"
 #include "measure/cost.h"
 #include "run/scene_plan.h"
 
@@ -62,13 +63,13 @@ std::string plan_table(const std::vector<PlanVerdict>& verdicts) {
     table += fmt::format("| {} | {} % | {} | {:.3g} s | {} | ", verdict.scene, 100.0 * verdict.wanted,
                          name_of(verdict.kind), verdict.until, short_settings(verdict.plan.settings));
     if (!verdict.judged()) {
-      table += fmt::format("can't be judged below {:.2g} % | | |\n", 100.0 * verdict.smallest);
+      table += fmt::format("can't be judged below {} | | |\n", percent(verdict.smallest));
       continue;
     }
     const bool has_ratio = verdict.cheapest_work.has_value();
     const double ratio = has_ratio ? verdict.work / *verdict.cheapest_work : infinity;
-    table += fmt::format("{:.2g} % | {} | {} |\n", 100.0 * verdict.error, verdict.met() ? "yes" : "no",
-                         has_ratio ? fmt::format("{:.2g}", ratio) : "none charted");
+    table += fmt::format("{} | {} | {} |\n", percent(verdict.error), verdict.met() ? "yes" : "no",
+                         has_ratio ? two_digits(ratio) : "none charted");
     ++judged;
     met += verdict.met();
     cheap += ratio <= 2.0;

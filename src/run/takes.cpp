@@ -4,22 +4,12 @@
 
 #include <cmath>
 
+#include "base/digits.h"
 #include "base/failure.h"
 #include "base/hash.h"
 #include "methods/registry.h"
 
 namespace taut {
-namespace {
-
-// A share that is not negative, with two digits that matter.
-std::string percent(double share) {
-  if (share < 1e-6) return "below 0.0001 %";
-  return 100.0 * share < 10.0 ? fmt::format("{:.2g} %", 100.0 * share)
-                              : fmt::format("{:.0f} %", 100.0 * share);
-}
-
-}  // namespace
-
 Takes::Takes(std::span<const Scene> scenes) {
   simulations_.reserve(scenes.size());
   for (const Scene& scene : scenes) {
