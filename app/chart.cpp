@@ -1,4 +1,4 @@
-#include "run/chart.h"
+#include "study/chart.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -16,11 +16,11 @@
 #include "flags.h"
 #include "output/atomic_file.h"
 #include "output/gnuplot.h"
-#include "run/chart_files.h"
-#include "run/chart_summary.h"
-#include "run/plan_table.h"
-#include "run/scene_folder.h"
-#include "run/signals.h"
+#include "study/chart_files.h"
+#include "study/chart_summary.h"
+#include "study/plan_table.h"
+#include "host/scene_folder.h"
+#include "host/signals.h"
 #include "values.h"
 #include "verbs.h"
 

@@ -14,9 +14,9 @@
 #include "measure/expectation.h"
 #include "measures_json.h"
 #include "planning.h"
-#include "run/reference_cache.h"
-#include "run/signals.h"
-#include "run/simulation.h"
+#include "study/reference_cache.h"
+#include "host/signals.h"
+#include "frames/simulation.h"
 #include "verbs.h"
 
 namespace taut {

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "run/explain.h"
+#include "study/explain.h"
 
 namespace taut {
 

@@ -12,9 +12,9 @@
 #include "output/atomic_file.h"
 #include "output/csv.h"
 #include "planning.h"
-#include "run/frame_selection.h"
-#include "run/signals.h"
-#include "run/simulation.h"
+#include "frames/frame_selection.h"
+#include "host/signals.h"
+#include "frames/simulation.h"
 #include "values.h"
 #include "verbs.h"
 

@@ -10,7 +10,7 @@
 
 #include "base/failure.h"
 #include "base/nearest.h"
-#include "run/scene_folder.h"
+#include "host/scene_folder.h"
 #include "values.h"
 
 namespace taut {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "run/painter.h"
+#include "frames/painter.h"
 #include "scene/scene.h"
 
 namespace taut {

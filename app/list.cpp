@@ -11,7 +11,7 @@
 #include "base/nearest.h"
 #include "exit_status.h"
 #include "methods/registry.h"
-#include "run/scene_folder.h"
+#include "host/scene_folder.h"
 #include "scene/scene.h"
 #include "verbs.h"
 

@@ -6,7 +6,7 @@
 
 #include "base/failure.h"
 #include "exit_status.h"
-#include "run/build_info.h"
+#include "host/build_info.h"
 #include "usage.h"
 #include "verbs.h"
 

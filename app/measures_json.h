@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "measure/run_measures.h"
+#include "motion/run_measures.h"
 #include "model/model.h"
 
 namespace taut {

@@ -8,7 +8,7 @@
 #include "exit_status.h"
 #include "measures_json.h"
 #include "planning.h"
-#include "run/signals.h"
+#include "host/signals.h"
 #include "values.h"
 
 namespace taut {

@@ -7,7 +7,7 @@
 
 #include "flags.h"
 #include "measure/planner.h"
-#include "run/frames.h"
+#include "frames/frames.h"
 
 namespace taut {
 

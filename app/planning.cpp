@@ -6,7 +6,7 @@
 
 #include "base/diagnostic.h"
 #include "base/failure.h"
-#include "run/scene_plan.h"
+#include "study/scene_plan.h"
 
 namespace taut {
 

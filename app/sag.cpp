@@ -8,9 +8,9 @@
 #include "exit_status.h"
 #include "flags.h"
 #include "output/gnuplot.h"
-#include "run/progress.h"
-#include "run/sag_files.h"
-#include "run/signals.h"
+#include "host/progress.h"
+#include "study/sag_files.h"
+#include "host/signals.h"
 #include "values.h"
 #include "verbs.h"
 

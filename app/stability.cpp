@@ -13,8 +13,8 @@
 #include "flags.h"
 #include "methods/registry.h"
 #include "output/gnuplot.h"
-#include "run/signals.h"
-#include "run/stability_files.h"
+#include "host/signals.h"
+#include "study/stability_files.h"
 #include "values.h"
 #include "verbs.h"
 

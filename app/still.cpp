@@ -1,4 +1,4 @@
-#include "run/still.h"
+#include "frames/still.h"
 
 #include <fmt/format.h>
 

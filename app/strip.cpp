@@ -7,7 +7,7 @@
 #include "exit_status.h"
 #include "flags.h"
 #include "planning.h"
-#include "run/still.h"
+#include "frames/still.h"
 #include "values.h"
 #include "verbs.h"
 

@@ -7,9 +7,9 @@
 
 #include "base/failure.h"
 #include "measure/cost.h"
-#include "measure/curves.h"
-#include "measure/measures.h"
-#include "measure/sampled_run.h"
+#include "measure/method_variants.h"
+#include "model/measures.h"
+#include "motion/sampled_run.h"
 #include "measure/work_precision.h"
 #include "model/parts.h"
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "measure/measures.h"
-#include "methods/advance.h"
+#include "model/measures.h"
+#include "motion/advance.h"
 #include "methods/registry.h"
 
 namespace taut {

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "measure/cost.h"
-#include "measure/curves.h"
-#include "measure/measures.h"
+#include "measure/method_variants.h"
+#include "model/measures.h"
 #include "measure/work_precision.h"
 #include "methods/registry.h"
 

@@ -10,9 +10,9 @@
 #include "measure/cost.h"
 #include "measure/events.h"
 #include "measure/explicit_integrator.h"
-#include "measure/measures.h"
+#include "model/measures.h"
 #include "methods/registry.h"
-#include "methods/simulate.h"
+#include "motion/simulate.h"
 
 namespace taut {
 namespace {

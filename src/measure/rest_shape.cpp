@@ -8,8 +8,8 @@
 
 #include "base/failure.h"
 #include "measure/exact.h"
-#include "measure/measures.h"
-#include "methods/advance.h"
+#include "model/measures.h"
+#include "motion/advance.h"
 #include "methods/registry.h"
 
 namespace taut {

@@ -6,11 +6,11 @@
 #include <memory>
 
 #include "base/failure.h"
-#include "measure/ledger.h"
-#include "measure/measures.h"
-#include "measure/run_measures.h"
+#include "motion/work_ledger.h"
+#include "model/measures.h"
+#include "motion/run_measures.h"
 #include "methods/registry.h"
-#include "methods/simulate.h"
+#include "motion/simulate.h"
 
 namespace taut {
 namespace {

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "measure/measures.h"
+#include "model/measures.h"
 #include "measure/reference.h"
 #include "methods/registry.h"
-#include "methods/simulate.h"
+#include "motion/simulate.h"
 
 namespace taut {
 namespace {

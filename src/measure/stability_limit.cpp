@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "base/failure.h"
-#include "measure/measures.h"
-#include "methods/advance.h"
+#include "model/measures.h"
+#include "motion/advance.h"
 #include "methods/frequency.h"
 #include "methods/registry.h"
 

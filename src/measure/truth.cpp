@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "measure/measures.h"
+#include "model/measures.h"
 #include "model/parts.h"
 
 namespace taut {

@@ -8,7 +8,7 @@
 
 #include "base/failure.h"
 #include "measure/cost.h"
-#include "measure/sampled_run.h"
+#include "motion/sampled_run.h"
 
 namespace taut {
 namespace {

@@ -1,8 +1,8 @@
 #include "methods/acceleration.h"
 
-#include "forces.h"
-#include "link_system.h"
-#include "springs.h"
+#include "forces/forces.h"
+#include "direct/link_system.h"
+#include "forces/springs.h"
 
 namespace taut {
 namespace {

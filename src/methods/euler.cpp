@@ -17,7 +17,7 @@
 #include <array>
 #include <cmath>
 
-#include "forces.h"
+#include "forces/forces.h"
 #include "methods/method.h"
 #include "parameters.h"
 

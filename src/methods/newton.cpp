@@ -13,11 +13,11 @@
 #include <array>
 #include <optional>
 
-#include "fast_projection.h"
-#include "forces.h"
-#include "implicit_net.h"
-#include "joint_resistance.h"
-#include "link_topology.h"
+#include "direct/fast_projection.h"
+#include "forces/forces.h"
+#include "direct/implicit_net.h"
+#include "contact/joint_resistance.h"
+#include "direct/link_topology.h"
 #include "methods/method.h"
 #include "parameters.h"
 #include "solve_guard.h"

@@ -26,12 +26,12 @@
 #include <array>
 #include <cmath>
 
-#include "active_limits.h"
+#include "direct/active_limits.h"
 #include "base/failure.h"
-#include "forces.h"
-#include "half_kicks.h"
-#include "joint_resistance.h"
-#include "link_system.h"
+#include "forces/forces.h"
+#include "forces/half_kicks.h"
+#include "contact/joint_resistance.h"
+#include "direct/link_system.h"
 #include "methods/method.h"
 #include "parameters.h"
 #include "solve_guard.h"

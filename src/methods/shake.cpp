@@ -18,12 +18,12 @@
 #include <array>
 #include <cmath>
 
-#include "forces.h"
-#include "half_kicks.h"
-#include "joint_resistance.h"
-#include "limit_solver.h"
-#include "link_order.h"
-#include "link_system.h"
+#include "forces/forces.h"
+#include "forces/half_kicks.h"
+#include "contact/joint_resistance.h"
+#include "relax/limit_solver.h"
+#include "relax/link_order.h"
+#include "direct/link_system.h"
 #include "methods/method.h"
 #include "parameters.h"
 #include "solve_guard.h"

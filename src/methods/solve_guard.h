@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "link_system.h"
+#include "direct/link_system.h"
 #include "methods/method.h"
 
 namespace taut {

@@ -8,11 +8,11 @@
 
 #include <array>
 
-#include "forces.h"
+#include "forces/forces.h"
 #include "methods/method.h"
 #include "parameters.h"
 #include "solve_guard.h"
-#include "springs.h"
+#include "forces/springs.h"
 
 namespace taut {
 namespace {

@@ -15,11 +15,11 @@
 #include <array>
 #include <cmath>
 
-#include "forces.h"
+#include "forces/forces.h"
 #include "methods/method.h"
 #include "parameters.h"
 #include "solve_guard.h"
-#include "springs.h"
+#include "forces/springs.h"
 
 namespace taut {
 namespace {

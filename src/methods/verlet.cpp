@@ -13,10 +13,10 @@
 #include <cmath>
 #include <utility>
 
-#include "beside_links.h"
-#include "forces.h"
-#include "joint_resistance.h"
-#include "link_order.h"
+#include "contact/limits_and_contacts.h"
+#include "forces/forces.h"
+#include "contact/joint_resistance.h"
+#include "relax/link_order.h"
 #include "methods/method.h"
 #include "parameters.h"
 

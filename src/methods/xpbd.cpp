@@ -21,14 +21,14 @@
 #include <vector>
 
 #include "base/failure.h"
-#include "beside_links.h"
-#include "forces.h"
-#include "joint_resistance.h"
-#include "link_order.h"
+#include "contact/limits_and_contacts.h"
+#include "forces/forces.h"
+#include "contact/joint_resistance.h"
+#include "relax/link_order.h"
 #include "methods/method.h"
 #include "model/parts.h"
 #include "parameters.h"
-#include "xpbd_single.h"
+#include "relax/xpbd_single.h"
 
 namespace taut {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "model/model.h"
 #include "model/state.h"
-#include "model/view.h"
+#include "view/view.h"
 
 namespace taut {
 

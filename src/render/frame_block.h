@@ -4,7 +4,7 @@
 
 #include "base/image.h"
 #include "model/state.h"
-#include "model/view.h"
+#include "view/view.h"
 #include "render/camera.h"
 
 namespace taut {

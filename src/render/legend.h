@@ -2,7 +2,7 @@
 
 #include "base/image.h"
 #include "colour_scale.h"
-#include "model/view.h"
+#include "view/view.h"
 #include "render/text.h"
 
 namespace taut {

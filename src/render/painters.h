@@ -5,7 +5,7 @@
 
 #include "gl_objects.h"
 #include "lattice.h"
-#include "model/view.h"
+#include "view/view.h"
 #include "program.h"
 #include "solid_mesh.h"
 #include "surface_mesh.h"

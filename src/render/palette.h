@@ -2,7 +2,7 @@
 
 #include <glm/glm.hpp>
 
-#include "model/view.h"
+#include "view/view.h"
 
 namespace taut {
 

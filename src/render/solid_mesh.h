@@ -7,7 +7,7 @@
 #include "frame_block.h"
 #include "model/model.h"
 #include "model/state.h"
-#include "model/view.h"
+#include "view/view.h"
 
 namespace taut {
 

@@ -11,7 +11,7 @@
 
 #include "document.h"
 #include "model/description.h"
-#include "model/view.h"
+#include "view/view.h"
 #include "reader.h"
 
 namespace taut {

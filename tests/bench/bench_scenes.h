@@ -4,7 +4,7 @@
 #include <string>
 
 #include "methods/registry.h"
-#include "methods/simulate.h"
+#include "motion/simulate.h"
 #include "model/description.h"
 
 namespace taut::bench {

@@ -4,7 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench_scenes.h"
-#include "measure/measures.h"
+#include "model/measures.h"
 #include "scene/scene.h"
 
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "bench_scenes.h"
-#include "measure/measures.h"
+#include "model/measures.h"
 
 namespace {
 

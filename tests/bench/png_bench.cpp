@@ -17,8 +17,8 @@
 #include <filesystem>
 
 #include "output/png.h"
-#include "run/painter.h"
-#include "run/simulation.h"
+#include "frames/painter.h"
+#include "frames/simulation.h"
 #include "scene/scene.h"
 
 namespace {

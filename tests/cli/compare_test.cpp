@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "program.h"
-#include "run/panels.h"
+#include "frames/panels.h"
 
 namespace taut::testing {
 namespace {

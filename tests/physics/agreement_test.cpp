@@ -2,7 +2,7 @@
 
 #include "fixtures.h"
 #include "measure/exact.h"
-#include "measure/measures.h"
+#include "model/measures.h"
 #include "measure/planner.h"
 
 namespace taut::test {

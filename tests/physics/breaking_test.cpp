@@ -1,5 +1,5 @@
 #include "fixtures.h"
-#include "measure/measures.h"
+#include "model/measures.h"
 
 namespace taut::test {
 namespace {

@@ -1,7 +1,7 @@
 // Solids: friction, rebound, and that nothing is inside them.
 
 #include "fixtures.h"
-#include "measure/measures.h"
+#include "model/measures.h"
 
 namespace taut::test {
 namespace {

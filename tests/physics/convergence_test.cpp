@@ -3,7 +3,7 @@
 #include "fixtures.h"
 #include "measure/exact.h"
 #include "measure/explicit_integrator.h"
-#include "measure/measures.h"
+#include "model/measures.h"
 
 namespace taut::test {
 namespace {

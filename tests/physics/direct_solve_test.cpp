@@ -2,7 +2,7 @@
 
 #include "fixtures.h"
 #include "measure/exact.h"
-#include "measure/measures.h"
+#include "model/measures.h"
 
 namespace taut::test {
 namespace {

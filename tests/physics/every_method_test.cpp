@@ -1,7 +1,7 @@
 // What must hold for every method in the registry, without naming any.
 
 #include "fixtures.h"
-#include "measure/measures.h"
+#include "model/measures.h"
 
 namespace taut::test {
 namespace {

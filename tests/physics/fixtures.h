@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "methods/registry.h"
-#include "methods/simulate.h"
+#include "motion/simulate.h"
 #include "model/description.h"
 
 namespace taut::test {

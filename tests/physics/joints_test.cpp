@@ -1,7 +1,7 @@
 // Joints that resist: damping and Coulomb friction against what their formulas give.
 
 #include "fixtures.h"
-#include "measure/measures.h"
+#include "model/measures.h"
 
 namespace taut::test {
 namespace {

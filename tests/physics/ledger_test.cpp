@@ -1,8 +1,8 @@
-#include "measure/ledger.h"
+#include "motion/work_ledger.h"
 
 #include "fixtures.h"
-#include "measure/measures.h"
-#include "methods/advance.h"
+#include "model/measures.h"
+#include "motion/advance.h"
 
 namespace taut::test {
 namespace {

@@ -1,7 +1,7 @@
 // Limits on angles in motion.
 
 #include "fixtures.h"
-#include "measure/measures.h"
+#include "model/measures.h"
 
 namespace taut::test {
 namespace {

@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "fixtures.h"
-#include "measure/measures.h"
+#include "model/measures.h"
 
 namespace taut::test {
 namespace {

@@ -3,9 +3,9 @@
 #include <filesystem>
 
 #include "fixtures.h"
-#include "measure/measures.h"
+#include "model/measures.h"
 #include "model/anthropometry.h"
-#include "run/simulation.h"
+#include "frames/simulation.h"
 #include "scene/scene.h"
 
 namespace taut::test {

@@ -4,7 +4,7 @@
 #include "measure/events.h"
 #include "measure/exact.h"
 #include "measure/explicit_integrator.h"
-#include "measure/measures.h"
+#include "model/measures.h"
 #include "methods/acceleration.h"
 
 namespace taut::test {

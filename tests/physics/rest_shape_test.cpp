@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/failure.h"
-#include "measure/measures.h"
+#include "model/measures.h"
 #include "scene/scene.h"
 
 namespace taut {

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "measure/expectation.h"
-#include "run/simulation.h"
+#include "frames/simulation.h"
 #include "scene/scene.h"
 
 namespace taut::test {

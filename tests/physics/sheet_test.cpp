@@ -1,7 +1,7 @@
 // A curtain of rigid rows and columns in pleats on hooks.
 
 #include "fixtures.h"
-#include "measure/measures.h"
+#include "model/measures.h"
 
 namespace taut::test {
 namespace {

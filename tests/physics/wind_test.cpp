@@ -1,7 +1,7 @@
 // Wind on sheets.
 
 #include "fixtures.h"
-#include "measure/measures.h"
+#include "model/measures.h"
 
 namespace taut::test {
 namespace {

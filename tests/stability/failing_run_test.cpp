@@ -7,7 +7,7 @@
 
 #include "base/failure.h"
 #include "physics/fixtures.h"
-#include "run/simulation.h"
+#include "frames/simulation.h"
 
 namespace taut::test {
 namespace {

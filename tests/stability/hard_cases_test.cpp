@@ -13,7 +13,7 @@
 #include <string>
 
 #include "base/failure.h"
-#include "measure/run_measures.h"
+#include "motion/run_measures.h"
 #include "physics/fixtures.h"
 #include "stability/same_bits.h"
 

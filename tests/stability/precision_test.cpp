@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/failure.h"
-#include "measure/measures.h"
+#include "model/measures.h"
 #include "measure/reference.h"
 #include "physics/fixtures.h"
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "measure/measures.h"
+#include "model/measures.h"
 #include "physics/fixtures.h"
 
 namespace taut::test {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "grip.h"
+#include "contact/friction.h"
 
 namespace taut {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <random>
 
-#include "joint_resistance.h"
+#include "contact/joint_resistance.h"
 
 namespace taut {
 namespace {

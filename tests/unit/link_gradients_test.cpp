@@ -2,10 +2,10 @@
 
 #include <random>
 
-#include "link_system.h"
-#include "measure/measures.h"
+#include "direct/link_system.h"
+#include "model/measures.h"
 #include "physics/fixtures.h"
-#include "springs.h"
+#include "forces/springs.h"
 
 namespace taut::test {
 namespace {

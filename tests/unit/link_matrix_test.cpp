@@ -6,9 +6,9 @@
 #include <numeric>
 #include <random>
 
-#include "link_matrices.h"
-#include "link_system.h"
-#include "link_topology.h"
+#include "direct/link_matrices.h"
+#include "direct/link_system.h"
+#include "direct/link_topology.h"
 #include "physics/fixtures.h"
 
 namespace taut::test {

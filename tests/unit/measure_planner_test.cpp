@@ -2,8 +2,8 @@
 
 #include "measure/cost.h"
 #include "measure/work_precision.h"
-#include "run/scene_plan.h"
-#include "run/scene_truth.h"
+#include "study/scene_plan.h"
+#include "study/scene_truth.h"
 #include "temporary_folder.h"
 
 namespace taut {

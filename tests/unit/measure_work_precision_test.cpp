@@ -4,7 +4,7 @@
 #include <map>
 
 #include "measure/exact.h"
-#include "measure/measures.h"
+#include "model/measures.h"
 #include "measure/work_precision.h"
 #include "model/description.h"
 

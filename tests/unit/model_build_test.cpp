@@ -1,4 +1,4 @@
-#include "measure/measures.h"
+#include "model/measures.h"
 #include "model/state.h"
 #include "physics/fixtures.h"
 

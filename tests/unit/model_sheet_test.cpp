@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "measure/measures.h"
+#include "model/measures.h"
 #include "model/state.h"
 #include "physics/fixtures.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "base/failure.h"
-#include "run/case_store.h"
+#include "study/case_store.h"
 #include "temporary_folder.h"
 
 namespace taut {

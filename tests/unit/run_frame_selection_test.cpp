@@ -3,7 +3,7 @@
 #include <string>
 
 #include "base/failure.h"
-#include "run/frame_selection.h"
+#include "frames/frame_selection.h"
 
 namespace taut {
 namespace {

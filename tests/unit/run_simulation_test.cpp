@@ -4,8 +4,8 @@
 #include <string>
 
 #include "base/failure.h"
-#include "run/frame_selection.h"
-#include "run/simulation.h"
+#include "frames/frame_selection.h"
+#include "frames/simulation.h"
 
 namespace taut {
 namespace {

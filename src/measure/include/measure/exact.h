@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "model/vectors.h"
+#include "base/vectors.h"
 
 namespace taut {
 

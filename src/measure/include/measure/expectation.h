@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "measure/run_measures.h"
-#include "model/expectation.h"
+#include "motion/run_measures.h"
+#include "view/expectation.h"
 #include "model/model.h"
 #include "model/state.h"
 

@@ -10,8 +10,6 @@
 
 namespace taut {
 
-/// Energy that a run has gained from nothing, over the energy scale, when it counts as diverged.
-inline constexpr double divergence = 1e3;
 
 /// How a run with the guard off ended.
 enum class Fate {

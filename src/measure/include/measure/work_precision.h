@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "base/stop.h"
-#include "measure/curves.h"
+#include "measure/method_variants.h"
 #include "measure/truth.h"
-#include "methods/advance.h"
+#include "motion/advance.h"
 #include "methods/method.h"
 #include "model/model.h"
 #include "model/state.h"

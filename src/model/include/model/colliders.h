@@ -4,7 +4,7 @@
 #include <limits>
 #include <variant>
 
-#include "model/vectors.h"
+#include "base/vectors.h"
 
 namespace taut {
 

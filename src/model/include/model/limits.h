@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <numbers>
 
-#include "model/vectors.h"
+#include "base/vectors.h"
 
 namespace taut {
 

@@ -10,7 +10,7 @@
 #include "model/joints.h"
 #include "model/limits.h"
 #include "model/motion.h"
-#include "model/vectors.h"
+#include "base/vectors.h"
 #include "model/wind.h"
 
 namespace taut {

@@ -3,7 +3,7 @@
 #include <variant>
 #include <vector>
 
-#include "model/vectors.h"
+#include "base/vectors.h"
 
 namespace taut {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "model/model.h"
-#include "model/vectors.h"
+#include "base/vectors.h"
 
 namespace taut {
 

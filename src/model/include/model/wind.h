@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "model/vectors.h"
+#include "base/vectors.h"
 
 namespace taut {
 

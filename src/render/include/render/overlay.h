@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/image.h"
-#include "model/view.h"
+#include "view/view.h"
 
 namespace taut {
 

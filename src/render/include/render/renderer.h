@@ -8,7 +8,7 @@
 #include "base/image.h"
 #include "model/model.h"
 #include "model/state.h"
-#include "model/view.h"
+#include "view/view.h"
 #include "render/camera.h"
 #include "render/gl_context.h"
 

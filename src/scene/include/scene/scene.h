@@ -7,8 +7,8 @@
 
 #include "methods/method.h"
 #include "model/description.h"
-#include "model/expectation.h"
-#include "model/view.h"
+#include "view/expectation.h"
+#include "view/view.h"
 
 namespace taut {
 

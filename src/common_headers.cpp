@@ -1,0 +1,1 @@
+// Holds the precompiled headers that the libraries share; see CMakeLists.txt.

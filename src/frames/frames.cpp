@@ -1,0 +1,237 @@
+#include "frames/frames.h"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "bounded_queue.h"
+#include "output/film.h"
+#include "render_job.h"
+#include "frames/frame_selection.h"
+#include "frames/panels.h"
+#include "panel_runs.h"
+
+namespace taut {
+namespace {
+
+// A moment on its way from the simulation to the painter.
+struct Posed {
+  int frame = 0;
+  std::string hash;
+  std::vector<Take> takes;
+  std::vector<std::vector<std::string>> lines;  // what is said of each, where there are several
+};
+
+// A picture on its way from the painter to the frame folder and the film.
+struct Painted {
+  int frame = 0;
+  std::string hash;
+  std::shared_ptr<const Image> image;
+};
+
+// Keeps the first thing that went wrong in any of several threads.
+class FirstFailure {
+ public:
+  template <class Work>
+  void watch(const Work& work) {
+    try {
+      work();
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      if (!failure_) failure_ = std::current_exception();
+      failed_ = true;
+    }
+  }
+  bool any() const { return failed_; }
+  void rethrow() const {
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::exception_ptr failure_;
+  std::atomic<bool> failed_ = false;
+};
+
+// One run from scene to frames. Each thread hands on to the next through a queue; whoever ends closes the
+// queue it hands to, and whoever fails also the one it takes from, so that nobody waits for ever.
+class Pipeline {
+ public:
+  Pipeline(std::span<const Scene> scenes, const RenderRequest& request, RenderPlan& plan, Progress& progress,
+           const StopTest& stop)
+      : scenes_(scenes),
+        request_(request),
+        plan_(plan),
+        progress_(progress),
+        stop_(stop),
+        already_there_(plan.folder ? plan.folder->manifest().frames : std::map<int, std::string>{}) {}
+
+  RenderOutcome run();
+
+ private:
+  void simulate();
+  void paint(PanelPainter& painter);
+  Image picture(const Posed& posed, PanelPainter& painter) const;
+  void save_frames();
+  void shoot_film(Film& film);
+  void start_film(std::optional<Film>& film) const;
+  void finish(std::optional<Film>& film);
+
+  bool told_to_stop() const { return failure_.any() || (stop_ && stop_()); }
+  bool frame_wanted(const Posed& posed) const {
+    const auto there = already_there_.find(posed.frame);
+    return plan_.folder && (there == already_there_.end() || there->second != posed.hash);
+  }
+
+  std::span<const Scene> scenes_;
+  const RenderRequest& request_;
+  RenderPlan& plan_;
+  Progress& progress_;
+  const StopTest& stop_;
+  // A copy: the folder's own list grows in another thread than the one that asks.
+  const std::map<int, std::string> already_there_;
+
+  BoundedQueue<Posed> posed_{4};
+  BoundedQueue<Painted> to_save_{3}, to_film_{3};
+  FirstFailure failure_;
+  FirstFailure step_failure_;  // no reason to throw away the frames before it, so it stops nobody else
+  std::atomic<bool> stopped_ = false;
+  RenderOutcome outcome_;
+};
+
+void Pipeline::simulate() {
+  Takes takes(scenes_);
+  for (const int frame : plan_.frames) {
+    std::optional<std::vector<Take>> now =
+        takes.at(frame_time(frame, request_.frames_per_second), [&] { return told_to_stop(); });
+    if (!now || told_to_stop()) {
+      stopped_ = true;
+      return;
+    }
+    Posed posed{frame, takes_hash(*now), {}, {}};
+    for (std::size_t i = 0; i < now->size() && (now->size() > 1 || frame == plan_.frames.back()); ++i) {
+      const TakeOutcome outcome{takes.measures(i), (*now)[i].failure};
+      posed.lines.push_back(take_lines(scenes_[i], outcome.measures, outcome.failure));
+      if (frame == plan_.frames.back()) outcome_.takes.push_back(outcome);
+    }
+    posed.takes = *std::move(now);
+    if (!posed_.push(std::move(posed))) return;
+  }
+}
+
+Image Pipeline::picture(const Posed& posed, PanelPainter& painter) const {
+  std::vector<Panel> panels;
+  for (std::size_t i = 0; i < posed.takes.size(); ++i) {
+    Panel& panel = panels.emplace_back();
+    panel.state = &posed.takes[i].state;
+    if (posed.takes.size() == 1) continue;
+    panel.title = take_title(scenes_[i]);
+    panel.lines = posed.lines[i];
+    panel.failed = !posed.takes[i].failure.empty();
+  }
+  return painter.draw(panels);
+}
+
+void Pipeline::paint(PanelPainter& painter) {
+  while (std::optional<Posed> posed = posed_.pop()) {
+    if (failure_.any()) continue;  // what is posed already is let go
+    const bool wanted = frame_wanted(*posed);
+    if (wanted || plan_.make_film) {
+      Painted painted{posed->frame, posed->hash, std::make_shared<const Image>(picture(*posed, painter))};
+      if (plan_.make_film) to_film_.push(painted);
+      if (wanted) to_save_.push(std::move(painted));
+    }
+    if (!wanted && plan_.folder) ++outcome_.kept;
+    outcome_.last_state_hash = std::move(posed->hash);
+    progress_.update(static_cast<int>(++outcome_.shown));
+  }
+}
+
+void Pipeline::save_frames() {
+  while (const std::optional<Painted> painted = to_save_.pop())
+    plan_.folder->write(painted->frame, *painted->image, painted->hash);
+}
+
+void Pipeline::shoot_film(Film& film) {
+  while (const std::optional<Painted> painted = to_film_.pop()) film.add(*painted->image);
+}
+
+RenderOutcome Pipeline::run() {
+  const auto start = std::chrono::steady_clock::now();
+  if (plan_.folder) plan_.folder->begin();
+  std::optional<Film> film;
+  if (plan_.make_film) start_film(film);
+  PanelPainter painter(scenes_.front(), request_.picture);
+  progress_.start(static_cast<int>(plan_.frames.size()));
+
+  std::thread simulating([&] {
+    step_failure_.watch([&] { simulate(); });
+    posed_.close();
+  });
+  std::thread saving([&] {
+    failure_.watch([&] { save_frames(); });
+    to_save_.close();
+  });
+  std::thread filming([&] {
+    if (film) failure_.watch([&] { shoot_film(*film); });
+    to_film_.close();
+  });
+  failure_.watch([&] { paint(painter); });
+  posed_.close();
+  to_save_.close();
+  to_film_.close();
+  simulating.join();
+  saving.join();
+  filming.join();
+
+  progress_.finish();
+  finish(film);
+  outcome_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return outcome_;
+}
+
+void Pipeline::start_film(std::optional<Film>& film) const {
+  if (request_.film->has_parent_path()) make_folder(request_.film->parent_path());
+  film.emplace(film_plan(request_, scenes_.size()));
+}
+
+void Pipeline::finish(std::optional<Film>& film) {
+  outcome_.stopped = stopped_;
+  const bool whole = !stopped_ && !failure_.any() && !step_failure_.any();
+  if (film && whole) {
+    failure_.watch([&] {
+      film->finish();
+      plan_.film.bytes = std::filesystem::file_size(*request_.film);
+      if (plan_.folder) plan_.folder->add_film(plan_.film);
+    });
+  }
+  // Whatever happened, the manifest says which frames there are.
+  if (plan_.folder) failure_.watch([&] { plan_.folder->save(); });
+  failure_.rethrow();
+  step_failure_.rethrow();
+}
+
+}  // namespace
+
+RenderOutcome render_frames(std::span<const Scene> scenes, const RenderRequest& request, Progress& progress,
+                            const StopTest& stop) {
+  RenderPlan plan = make_render_plan(scenes, request);
+  RenderOutcome outcome;
+  if (plan.complete())
+    outcome.shown = outcome.kept = plan.frames.size();
+  else
+    outcome = Pipeline(scenes, request, plan, progress, stop).run();
+  outcome.asked = plan.frames.size();
+  outcome.inputs = plan.inputs;
+  outcome.size = sheet_size(request.picture.render.size, scenes.size());
+  outcome.film_kept = request.film && !plan.make_film;
+  return outcome;
+}
+
+}  // namespace taut

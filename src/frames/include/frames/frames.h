@@ -1,0 +1,55 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "frames/painter.h"
+#include "host/progress.h"
+#include "frames/simulation.h"
+#include "scene/scene.h"
+
+namespace taut {
+
+/// What is to be rendered of a scene, and where to. The picture's size is that of one panel (panels.h).
+struct RenderRequest {
+  std::optional<std::filesystem::path> folder;  ///< for frames and their manifest; absent: no frames
+  std::optional<std::filesystem::path> film;
+  std::optional<std::string> selection;  ///< such as "1-100:2,150"; absent: every frame
+  double frames_per_second = 30.0;
+  PictureSettings picture;
+  bool overwrite = false;
+  std::string plan;  ///< why the scene is run as it is, for the manifest; may be empty
+};
+
+/// How one way of running a scene ended.
+struct TakeOutcome {
+  RunMeasures measures;  ///< of the last frame's state
+  std::string failure;   ///< why that came early; empty when it didn't
+};
+
+/// What came of it.
+struct RenderOutcome {
+  Size size;              ///< of a picture, all panels together
+  std::size_t asked = 0;  ///< frames
+  std::size_t shown = 0;  ///< of those, the ones that are there now or went into the film
+  std::size_t kept = 0;   ///< of those, the ones that were there before
+  bool film_kept = false;
+  bool stopped = false;  ///< told to stop before the end; no film then
+  double seconds = 0.0;
+  std::string inputs;              ///< hash of everything that decides what the frames look like
+  std::string last_state_hash;     ///< of the last frame's state; empty when nothing was simulated
+  std::vector<TakeOutcome> takes;  ///< one a way of running it; empty when nothing was simulated
+};
+
+/// Renders a scene to frames and a film, run in one way, or in several ways side by side: `scenes` differ in
+/// method and settings alone. Where one of several fails, its picture stays as it was, and says so.
+/// Simulation, drawing, compression and film each in a thread of their own. What is there already from the
+/// same inputs is kept. Throws BadRequest and OutputConflict before anything is written, RunFailure for
+/// everything later (frames made until then stay, a film does not).
+RenderOutcome render_frames(std::span<const Scene> scenes, const RenderRequest& request, Progress& progress,
+                            const StopTest& stop = {});
+
+}  // namespace taut

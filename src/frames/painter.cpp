@@ -1,0 +1,71 @@
+#include "frames/painter.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <system_error>
+
+#include "base/failure.h"
+#include "base/hash.h"
+#include "render/camera.h"
+
+namespace taut {
+namespace {
+
+// Shaders decide what a picture looks like as much as a scene does.
+std::string shaders_text(const std::filesystem::path& folder) {
+  if (folder.empty()) return "built in";
+  std::error_code error;
+  std::map<std::string, std::string> contents;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    std::ifstream in(entry.path(), std::ios::binary);
+    contents[entry.path().filename().string()].assign(std::istreambuf_iterator<char>(in), {});
+  }
+  if (error)
+    throw BadRequest(fmt::format("can't read the shader folder {}: {}", folder.string(), error.message()));
+  Hash hash;
+  for (const auto& [name, text] : contents) hash.add(name).add(text);
+  return hash.hex();
+}
+
+}  // namespace
+
+void check_size(Size size) {
+  constexpr int least = 16, most = 16384;
+  const auto fits = [&](int side) { return side >= least && side <= most; };
+  if (!fits(size.width) || !fits(size.height))
+    throw BadRequest(fmt::format("pictures are from {} to {} pixels wide and high; {}x{} is not", least, most,
+                                 size.width, size.height));
+}
+
+std::string settings_text(const PictureSettings& settings) {
+  constexpr std::array<std::string_view, 3> backends{"auto", "osmesa", "egl"};
+  const RenderSettings& render = settings.render;
+  return fmt::format(
+      "{}x{}, {} samples, shadows {}, {}, gl {}, shaders {}", render.size.width, render.size.height,
+      render.samples, render.shadow_map_size, render.transparent ? "transparent" : "opaque",
+      backends.at(static_cast<std::size_t>(settings.backend)), shaders_text(settings.shader_folder));
+}
+
+struct Painter::Tools {
+  std::unique_ptr<GlContext> context;
+  Renderer renderer;
+
+  Tools(std::unique_ptr<GlContext> made, const Scene& scene, const PictureSettings& settings)
+      : context(std::move(made)),
+        renderer(*context, scene.model, scene.start, scene.look, settings.render, settings.shader_folder) {}
+};
+
+Painter::Painter(const Scene& scene, const PictureSettings& settings)
+    : scene_(scene), tools_(std::make_unique<Tools>(make_gl_context(settings.backend), scene, settings)) {}
+
+Painter::~Painter() = default;
+
+Image Painter::draw(const State& state) {
+  return tools_->renderer.draw(state, camera_pose(scene_.camera, scene_.model, scene_.start, state));
+}
+
+}  // namespace taut

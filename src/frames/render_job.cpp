@@ -1,0 +1,120 @@
+#include "render_job.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <system_error>
+
+#include "base/failure.h"
+#include "base/hash.h"
+#include "output/film.h"
+#include "host/build_info.h"
+#include "frames/frame_selection.h"
+#include "frames/panels.h"
+
+namespace taut {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The method's name and settings; of several, all names, and before each setting the number of its panel.
+void describe_methods(std::span<const Scene> scenes, Manifest& manifest) {
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const Settings& settings = scenes[i].settings;
+    manifest.method += (i > 0 ? ", " : "") + settings.method;
+    for (const auto& [name, value] : settings.values)
+      manifest.settings[scenes.size() == 1 ? name : fmt::format("{}.{}", i + 1, name)] = value;
+  }
+}
+
+Manifest wanted_manifest(std::span<const Scene> scenes, const RenderRequest& request) {
+  Manifest manifest;
+  manifest.scene = scenes.front().name;
+  manifest.scene_toml = resolved_toml(scenes.front());
+  describe_methods(scenes, manifest);
+  manifest.size = sheet_size(request.picture.render.size, scenes.size());
+  manifest.frames_per_second = request.frames_per_second;
+  manifest.picture = settings_text(request.picture);
+  manifest.plan = request.plan;
+  manifest.build = build_info();
+  // Everything else in the manifest is a part of one of these, or follows from them.
+  Hash hash;
+  for (const std::string& part : {manifest.scene_toml, manifest.picture, manifest.build,
+                                  fmt::format("{} frames/s", manifest.frames_per_second)})
+    hash.add(part).add("\n");
+  for (const Scene& other : scenes.subspan(1)) hash.add(resolved_toml(other)).add("\n");
+  manifest.inputs = hash.hex();
+  return manifest;
+}
+
+void check_rate(double frames_per_second) {
+  if (!(frames_per_second > 0.0 && frames_per_second <= 1000.0))
+    throw BadRequest(
+        fmt::format("frames per second have to be more than 0 and at most 1000, not {}", frames_per_second));
+}
+
+// How a film is named in the manifest: from its folder, so that both can be moved together.
+std::string name_in_manifest(const RenderRequest& request) {
+  if (!request.folder) return request.film->string();
+  std::error_code error;
+  const fs::path relative = fs::proximate(*request.film, *request.folder, error);
+  return error ? request.film->string() : relative.string();
+}
+
+// What the manifest says of the film, where that film is still the one on disk.
+const FilmRecord* film_on_disk(const RenderPlan& plan, const fs::path& file) {
+  if (!plan.folder) return nullptr;
+  const auto& films = plan.folder->manifest().films;
+  const auto found = std::ranges::find(films, plan.film.file, &FilmRecord::file);
+  std::error_code error;
+  return found != films.end() && fs::file_size(file, error) == found->bytes && !error ? &*found : nullptr;
+}
+
+void plan_film(RenderPlan& plan, const RenderRequest& request) {
+  plan.film = {name_in_manifest(request), selection_text(plan.frames), 0};
+  plan.make_film = true;
+  std::error_code error;
+  if (fs::is_directory(*request.film, error))
+    throw BadRequest(fmt::format("{} is a folder, not a name for a film", request.film->string()));
+  if (request.overwrite || !fs::exists(*request.film, error)) return;
+  const FilmRecord* there = film_on_disk(plan, *request.film);
+  if (there == nullptr)
+    throw OutputConflict(
+        fmt::format("{} exists, and nothing here says that it was made from the same inputs; "
+                    "--overwrite replaces it",
+                    request.film->string()));
+  plan.make_film = there->frames != plan.film.frames;
+}
+
+}  // namespace
+
+FilmPlan film_plan(const RenderRequest& request, std::size_t panels) {
+  return {*request.film, sheet_size(request.picture.render.size, panels), request.frames_per_second,
+          request.picture.render.transparent};
+}
+
+bool RenderPlan::complete() const {
+  return !make_film && folder && std::ranges::all_of(frames, [&](int frame) { return folder->has(frame); });
+}
+
+RenderPlan make_render_plan(std::span<const Scene> scenes, const RenderRequest& request) {
+  if (!request.folder && !request.film)
+    throw BadRequest("without frames and without a film there is nothing to make; --film FILE asks for one");
+  check_size(request.picture.render.size);
+  check_size(sheet_size(request.picture.render.size, scenes.size()));
+  check_rate(request.frames_per_second);
+  RenderPlan plan;
+  const int count = frame_count(scenes.front().duration, request.frames_per_second);
+  plan.frames = request.selection ? select_frames(*request.selection, count) : all_frames(count);
+  if (request.film) check_film_plan(film_plan(request, scenes.size()));
+
+  const Manifest wanted = wanted_manifest(scenes, request);
+  plan.inputs = wanted.inputs;
+  if (request.folder) plan.folder.emplace(*request.folder, wanted, request.overwrite);
+  if (request.film) plan_film(plan, request);
+  if (plan.make_film) require_film_encoder();
+  return plan;
+}
+
+}  // namespace taut

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "output/film.h"
+#include "frames/frame_folder.h"
+#include "frames/frames.h"
+
+namespace taut {
+
+/// A request, checked against the scene and against what is on disk.
+struct RenderPlan {
+  std::vector<int> frames;  ///< rising
+  std::string inputs;       ///< hash of everything that decides what the frames look like
+  std::optional<FrameFolder> folder;
+  bool make_film = false;  ///< one is asked for and not there yet
+  FilmRecord film;         ///< how the film will stand in the manifest
+
+  /// Whether every frame that is asked for is there, and the film too.
+  bool complete() const;
+};
+
+/// The film that a request asks for, of so many panels; only for one that asks.
+FilmPlan film_plan(const RenderRequest& request, std::size_t panels);
+
+/// Checks a request. Writes nothing. Throws BadRequest, OutputConflict, and RunFailure where the program for
+/// films is missing.
+RenderPlan make_render_plan(std::span<const Scene> scenes, const RenderRequest& request);
+
+}  // namespace taut

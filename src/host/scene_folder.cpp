@@ -1,0 +1,80 @@
+#include "host/scene_folder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <string_view>
+
+#include "base/failure.h"
+#include "base/nearest.h"
+
+namespace taut {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool looks_like_a_path(const std::string& argument) {
+  return argument.find('/') != std::string::npos || argument.ends_with(".toml");
+}
+
+fs::path existing_file(const fs::path& file) {
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (fs::is_directory(status))
+    throw BadRequest(fmt::format("{} is a folder, not a scene file", file.string()));
+  if (error || !fs::exists(status)) throw BadRequest(fmt::format("there is no scene file {}", file.string()));
+  return file;
+}
+
+[[noreturn]] void no_such_scene(const std::string& name) {
+  std::vector<std::string> stems;
+  for (const fs::path& file : all_scene_files()) stems.push_back(file.stem().string());
+  const std::vector<std::string_view> names(stems.begin(), stems.end());
+  const std::string_view nearest = nearest_name(name, names);
+  throw BadRequest(
+      fmt::format("there is no scene \"{}\"{}; \"taut list scenes\" shows all, and a path means a file", name,
+                  nearest.empty() ? "" : fmt::format("; did you mean \"{}\"?", nearest)));
+}
+
+}  // namespace
+
+std::vector<fs::path> scene_folders() {
+  std::vector<fs::path> folders;
+  const auto add = [&](const fs::path& folder) {
+    std::error_code error;
+    if (fs::is_directory(folder, error)) folders.push_back(folder);
+  };
+  if (const char* chosen = std::getenv("TAUT_SCENES"); chosen != nullptr && *chosen != '\0') add(chosen);
+  add(TAUT_SOURCE_SCENES);
+  add("scenes");
+  return folders;
+}
+
+std::vector<fs::path> all_scene_files() {
+  std::map<std::string, fs::path> by_name;
+  for (const fs::path& folder : scene_folders()) {
+    std::error_code error;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+      if (entry.path().extension() == ".toml")
+        by_name.try_emplace(entry.path().stem().string(), entry.path());
+    }
+  }
+  std::vector<fs::path> files;
+  files.reserve(by_name.size());
+  for (const auto& [name, file] : by_name) files.push_back(file);
+  return files;
+}
+
+fs::path find_scene(const std::string& argument) {
+  std::error_code error;
+  if (looks_like_a_path(argument) || fs::is_regular_file(argument, error)) return existing_file(argument);
+  for (const fs::path& folder : scene_folders()) {
+    const fs::path file = folder / (argument + ".toml");
+    if (fs::exists(file, error)) return existing_file(file);
+  }
+  no_such_scene(argument);
+}
+
+}  // namespace taut

@@ -1,0 +1,97 @@
+#include "measure/method_variants.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/failure.h"
+#include "methods/registry.h"
+#include "model/parts.h"
+
+namespace taut {
+namespace {
+
+// Whether it matters how many passes the method makes: not where links with stiffness are all there is, and
+// the method knows them as forces.
+bool relaxes(const Model& model, const Method& method) {
+  const bool springs_are_forces = method.can.limit == StepLimit::sideways_vibration;
+  return find_param(method, "passes") != nullptr &&
+         (!springs_are_forces || has_rigid_links(model) || !model.limits.empty());
+}
+
+// All combinations of a method's worded parameters, the method's default first.
+std::vector<Curve> variants(const Model& model, const Method& method, std::size_t place) {
+  Curve plain;
+  plain.name = method.name;
+  plain.settings = complete_settings({std::string(method.name), {}});
+  plain.relaxes = relaxes(model, method);
+  plain.method = place;
+  std::vector<Curve> curves{plain};
+  for (const Param& param : method.params) {
+    if (param.choices.empty()) continue;
+    std::vector<Curve> chosen;
+    for (const Curve& curve : curves)
+      for (const std::string_view choice : param.choices) {
+        chosen.push_back(curve);
+        chosen.back().settings.values[std::string(param.name)] = std::string(choice);
+        // A word says what it means; a number needs its name.
+        const bool number = choice.find_first_not_of("0123456789") == std::string_view::npos;
+        chosen.back().name += number ? fmt::format(" {} {}", param.name, choice) : fmt::format(" {}", choice);
+      }
+    curves = std::move(chosen);
+  }
+  return curves;
+}
+
+// Why the method makes no stepper for the model even with the finest steps; empty when it does.
+std::string refusal(const Model& model, const Method& method, const Curve& curve) {
+  const double finest = find_param(method, "steps_per_second")->max;
+  try {
+    method.make(model, settings_at(curve, finest, 1));
+  } catch (const BadRequest& problem) {
+    return problem.what();
+  }
+  return {};
+}
+
+void require_known(const std::vector<std::string>& methods) {
+  for (const std::string& name : methods) complete_settings({name, {}});
+}
+
+}  // namespace
+
+Curves curves_for(const Model& model, const std::vector<std::string>& methods) {
+  require_known(methods);
+  Curves result;
+  for (std::size_t place = 0; place < all_methods().size(); ++place) {
+    const Method& method = all_methods()[place];
+    if (!methods.empty() && std::ranges::find(methods, method.name) == methods.end()) {
+      result.omissions.push_back(fmt::format("{} was not asked for", method.name));
+      continue;
+    }
+    if (const auto problems = capability_problems(model, method); !problems.empty()) {
+      // From `method "x" has no y; these have: …`
+      const std::string& first = problems.front();
+      const std::size_t what = std::min(first.find("has no"), first.size());
+      result.omissions.push_back(
+          fmt::format("{} {}", method.name, first.substr(what, first.find(';') - what)));
+      continue;
+    }
+    for (Curve& curve : variants(model, method, place)) {
+      if (const std::string problem = refusal(model, method, curve); !problem.empty())
+        result.omissions.push_back(fmt::format("{}: {}", curve.name, problem));
+      else
+        result.curves.push_back(std::move(curve));
+    }
+  }
+  return result;
+}
+
+Settings settings_at(const Curve& curve, double steps_per_second, int passes) {
+  Settings settings = curve.settings;
+  settings.values["steps_per_second"] = steps_per_second;
+  if (curve.relaxes) settings.values["passes"] = static_cast<double>(passes);
+  return settings;
+}
+
+}  // namespace taut

@@ -1,0 +1,32 @@
+#include "contact/contact_points.h"
+
+namespace taut {
+
+ContactPoints::ContactPoints(const Model& model) : model_(model) {
+  for (const ContactPoint& point : model.contacts) {
+    double weight = 0.0;
+    for (std::size_t k = 0; k < point.masses.size(); ++k)
+      weight += model.masses.inverse_mass[point.masses[k]] * point.weights[k] * point.weights[k];
+    weight_.push_back(weight);
+    any_holds_ = any_holds_ || point.holds;
+  }
+}
+
+Vec3 ContactPoints::value(std::uint32_t i, const Vectors& of) const {
+  const ContactPoint& point = model_.contacts[i];
+  Vec3 sum = point.weights[0] * of.at(point.masses[0]);
+  for (std::size_t k = 1; k < point.masses.size(); ++k)
+    if (point.weights[k] != 0.0) sum += point.weights[k] * of.at(point.masses[k]);
+  return sum;
+}
+
+void ContactPoints::move(std::uint32_t i, const Vec3& way, Vectors& of) const {
+  if (weight_[i] == 0.0) return;
+  const ContactPoint& point = model_.contacts[i];
+  for (std::size_t k = 0; k < point.masses.size(); ++k)
+    if (point.weights[k] != 0.0)
+      of.add(point.masses[k],
+             (model_.masses.inverse_mass[point.masses[k]] * point.weights[k] / weight_[i]) * way);
+}
+
+}  // namespace taut

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "contact/contact_points.h"
+#include "contact/friction.h"
+
+namespace taut {
+
+/// Contact of a model's contact points with its colliders, for methods that move positions and derive
+/// velocities from them.
+class ContactSolver {
+ public:
+  explicit ContactSolver(const Model& model);
+
+  /// To be called once positions of the step have been predicted, with the positions and velocities at its
+  /// start and what held there: finds what may touch in this step.
+  void begin_step(const std::vector<Grip>& grips, const Vectors& start, const Vectors& velocity,
+                  const Vectors& predicted);
+
+  /// One pass: pushes what has entered a solid back to its surface, and takes from its way along the surface
+  /// what Friction holds.
+  void solve(Vectors& position);
+
+  /// What holds at the end of the step.
+  void keep(const Vectors& position, std::vector<Grip>& grips) const;
+
+  /// Once velocities have been derived from positions: what has touched a solid that gives something back
+  /// leaves it with that share of the speed at which it came (Müller et al., Detailed Rigid Body Simulation
+  /// with Extended Position Based Dynamics, 2020, eq. 34); but not what gravity alone could have brought to
+  /// that speed within two steps, so that things come to rest.
+  void rebound(double h, Vectors& velocity) const;
+
+ private:
+  // A contact point and a collider.
+  struct Pair {
+    std::uint32_t point, collider;
+    bool operator==(const Pair&) const = default;
+  };
+  // Those that have touched in this step.
+  struct Touch {
+    Pair pair;
+    Vec3 normal;
+    double approach;  // m/s along the normal at the start of the step; negative: towards the solid
+  };
+
+  void touch(const Pair& pair, const Vec3& normal);
+
+  const Model& model_;
+  ContactPoints points_;
+  const Vectors* start_ = nullptr;
+  const Vectors* start_velocity_ = nullptr;
+  std::vector<Pair> near_;           // that may touch
+  std::vector<Friction> frictions_;  // one for each of those; none where nothing holds
+  std::vector<Touch> touches_;       // only of colliders that give something back
+};
+
+}  // namespace taut

@@ -1,0 +1,157 @@
+#include "direct/active_limits.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+namespace taut {
+
+ActiveLimits::ActiveLimits(const Model& model)
+    : limits_(model.limits), inverse_mass_(model.masses.inverse_mass), pushes_(model.limits.size()) {}
+
+void ActiveLimits::begin_step(double h) {
+  h_ = h;
+  std::fill(pushes_.begin(), pushes_.end(), Push{});
+}
+
+// The gradient of the overshoot.
+LimitAngle ActiveLimits::outward(std::size_t limit, const Vectors& position) const {
+  LimitAngle angle = limit_gradients(limits_[limit], position);
+  for (std::size_t k = 0; k < limits_[limit].count; ++k) angle.gradient[k] *= pushes_[limit].sign;
+  return angle;
+}
+
+double ActiveLimits::look(const Vectors& position, const Vectors* start) {
+  active_.clear();
+  double worst = 0.0;
+  for (std::size_t i = 0; i < limits_.size(); ++i) {
+    const Limit& limit = limits_[i];
+    const Overshoot beyond = overshoot(limit, limit_angle(limit, position));
+    if (beyond.sign != pushes_[i].sign) pushes_[i] = {0.0, beyond.sign};
+    if (!(beyond.size > 0.0) && pushes_[i].multiplier == 0.0) continue;
+    const double compliance = limit.compliance / (h_ * h_);
+    const double wanted = beyond.size - compliance * pushes_[i].multiplier;
+    worst = std::max(worst, std::abs(wanted));
+    const LimitAngle along = outward(i, position);
+    active_.push_back({i, along, start == nullptr ? along : outward(i, *start), wanted, compliance});
+  }
+  return worst;
+}
+
+// G W G₀ᵀ of two limits: what they share.
+double ActiveLimits::product(const Row& row, const Row& column) const {
+  const Limit& a = limits_[row.limit];
+  const Limit& b = limits_[column.limit];
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.count; ++i)
+    for (std::size_t j = 0; j < b.count; ++j)
+      if (a.masses[i] == b.masses[j])
+        sum += inverse_mass_[a.masses[i]] * row.along.gradient[i].dot(column.column.gradient[j]);
+  return sum;
+}
+
+double ActiveLimits::change(const Row& row, const Vectors& velocity) const {
+  const Limit& limit = limits_[row.limit];
+  double sum = 0.0;
+  for (std::size_t k = 0; k < limit.count; ++k)
+    sum += row.along.gradient[k].dot(velocity.at(limit.masses[k]));
+  return sum;
+}
+
+void ActiveLimits::move(const Row& row, double strength, Vectors& target) const {
+  const Limit& limit = limits_[row.limit];
+  for (std::size_t k = 0; k < limit.count; ++k)
+    target.add(limit.masses[k], (strength * inverse_mass_[limit.masses[k]]) * row.column.gradient[k]);
+}
+
+// What one limit's push moves: W G₀ᵀ.
+Vectors ActiveLimits::reach(const Row& column) const {
+  Vectors moved;
+  moved.resize(inverse_mass_.size());
+  move(column, 1.0, moved);
+  return moved;
+}
+
+// G W Cᵀ s: how a limit's angle changes when the links push with strengths s.
+double ActiveLimits::felt(const Row& row, const SystemLinks& links, const Vectors& columns,
+                          const std::vector<double>& strength) const {
+  const Limit& limit = limits_[row.limit];
+  double sum = 0.0;
+  for (std::size_t i = 0; i < links.size(); ++i)
+    for (std::size_t k = 0; k < limit.count; ++k) {
+      const double along = strength[i] * row.along.gradient[k].dot(columns.at(i));
+      if (limit.masses[k] == links.a[i]) sum += links.weight_a[i] * along;
+      if (limit.masses[k] == links.b[i]) sum -= links.weight_b[i] * along;
+    }
+  return sum;
+}
+
+Eigen::VectorXd ActiveLimits::solve(const LinkSystem& system, const Vectors& rows, const Vectors& columns,
+                                    std::vector<double>& links) const {
+  const SystemLinks& of = system.links;
+  const std::size_t count = active_.size();
+  system.matrix->solve(links);
+  if (count == 0) return {};
+  Eigen::MatrixXd small(count, count);
+  Eigen::VectorXd wanted(count);
+  std::vector<std::vector<double>> answers(count, std::vector<double>(of.size()));  // A⁻¹ R W G₀ᵀ
+  for (std::size_t k = 0; k < count; ++k) {
+    const Vectors moved = reach(active_[k]);
+    for (std::size_t i = 0; i < of.size(); ++i)
+      answers[k][i] = rows.at(i).dot(moved.at(of.a[i]) - moved.at(of.b[i]));
+    system.matrix->solve(answers[k]);
+  }
+  for (std::size_t j = 0; j < count; ++j) {
+    const auto row = static_cast<Eigen::Index>(j);
+    wanted[row] = active_[j].wanted - felt(active_[j], of, columns, links);
+    for (std::size_t k = 0; k < count; ++k)
+      small(row, static_cast<Eigen::Index>(k)) =
+          product(active_[j], active_[k]) - felt(active_[j], of, columns, answers[k]);
+    small(row, row) += active_[j].compliance;
+  }
+  Eigen::VectorXd strength = small.completeOrthogonalDecomposition().solve(wanted);
+  for (std::size_t k = 0; k < count; ++k)
+    for (std::size_t i = 0; i < of.size(); ++i)
+      links[i] -= answers[k][i] * strength[static_cast<Eigen::Index>(k)];
+  return strength;
+}
+
+void ActiveLimits::push(const LinkSystem& system, const Vectors& rows, const Vectors& columns, double answer,
+                        std::vector<double>& links, Vectors& position) {
+  for (Row& row : active_) {
+    row.wanted /= answer;
+    row.compliance /= answer;
+  }
+  const Eigen::VectorXd strength = solve(system, rows, columns, links);
+  for (std::size_t j = 0; j < active_.size(); ++j) {
+    double& multiplier = pushes_[active_[j].limit].multiplier;
+    const double before = multiplier;
+    multiplier = std::max(before + strength[static_cast<Eigen::Index>(j)], 0.0);
+    move(active_[j], answer * (before - multiplier), position);
+  }
+}
+
+void ActiveLimits::stop(const LinkSystem& system, const Vectors& directions, const Vectors& position,
+                        std::vector<double>& links, Vectors& velocity) {
+  active_.clear();
+  for (std::size_t i = 0; i < limits_.size(); ++i) {
+    if (pushes_[i].multiplier == 0.0) continue;
+    const LimitAngle along = outward(i, position);
+    active_.push_back({i, along, along, 0.0, 0.0});
+    active_.back().wanted = change(active_.back(), velocity);
+  }
+  const std::vector<double> given = links;
+  for (;;) {
+    const Eigen::VectorXd strength = solve(system, directions, directions, links);
+    Eigen::Index pulling = 0;
+    if (active_.empty() || !(strength.minCoeff(&pulling) < 0.0)) {
+      for (std::size_t j = 0; j < active_.size(); ++j)
+        move(active_[j], -strength[static_cast<Eigen::Index>(j)], velocity);
+      return;
+    }
+    active_.erase(active_.begin() + pulling);
+    links = given;
+  }
+}
+
+}  // namespace taut

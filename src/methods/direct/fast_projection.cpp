@@ -1,0 +1,148 @@
+// Fast projection (Goldenthal et al., Efficient Simulation of Inextensible Cloth, 2007) with compliance as in
+// XPBD, solved directly (Deul et al., Direct Position-Based Solver for Stiff Rods, 2018).
+//
+//   until |r_i| ≤ tolerance · l_i in every link:
+//     r_i = C_i − α̃_i λ_i + γ_i n·(d − d₀),   C = |d| − l,  n = d/|d|                  (λ: pull, positive)
+//     (J W Jᵀ + α̃/(1 + γ)) Δλ = r/(1 + γ),     x ← x − W Jᵀ Δλ,   λ ← λ + Δλ           (Goldenthal 2007, Alg.
+//     1)
+//
+// α̃ = α/h², γ = α c/h as in XPBD. Drag is implicit in the links' forces too: W stands for W/(1 + h·drag). The
+// tension is λ/h². An impulse keeps the direction of the round that found it, so the sum is not quite along
+// the final directions: a difference of second order in the step, below the method's own error, and what lets
+// it answer large moves.
+//
+// Limits on angles that push border the system (see ActiveLimits).
+
+#include "direct/fast_projection.h"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "solve_guard.h"
+
+namespace taut {
+
+FastProjection::FastProjection(const Model& model, LinkSystem system)
+    : model_(model), system_(std::move(system)), limits_(model) {
+  for (const Index link : system_.links.link) {
+    inverse_length_.push_back(1.0 / model_.links.length[link]);
+    compliant_ = compliant_ || !model_.links.rigid(link);
+  }
+  const std::size_t count = system_.links.size();
+  distance_.resize(count);
+  residual_.resize(count);
+  multipliers_.resize(count);
+  diagonal_.resize(count);
+  scale_.resize(count);
+}
+
+bool FastProjection::solve(const Vectors& start, double h, Vectors& position, std::vector<double>& tension,
+                           StepReport& report) {
+  const SystemLinks& links = system_.links;
+  const double tolerance = length_tolerance(links, position);
+  const double answer = 1.0 / (1.0 + h * model_.drag);
+  prepare(start, h, answer);
+  limits_.begin_step(h);
+  for (int round = 0; round < most_newton_rounds; ++round) {
+    const double worst = measure_residual(position, h, report);
+    if (report.status != StepStatus::done) return false;
+    const double beyond = limits_.look(position);
+    if (worst <= tolerance && beyond <= limit_tolerance) {
+      for (std::size_t i = 0; i < multipliers_.size(); ++i)
+        tension[links.link[i]] = multipliers_[i] / (h * h);
+      return true;
+    }
+    if (round >= rounds_to_settle && worst > settled_error) break;
+    ++report.factorisations;
+    if (!system_.matrix->factor(direction_, direction_, diagonal_)) {
+      report.status = StepStatus::factorisation_failed;
+      return false;
+    }
+    for (std::size_t i = 0; i < residual_.size(); ++i) residual_[i] *= scale_[i];
+    if (limits_.none())
+      system_.matrix->solve(residual_);
+    else
+      limits_.push(system_, direction_, direction_, answer, residual_, position);
+    for (std::size_t i = 0; i < residual_.size(); ++i) {
+      multipliers_[i] += residual_[i];
+      residual_[i] *= -answer;
+    }
+    apply_impulses(links, direction_, residual_, position);
+    report.rounds += 1;
+    report.link_solves += static_cast<std::int64_t>(links.size());
+  }
+  report.status = StepStatus::not_converged;
+  return false;
+}
+
+// What stays the same over the rounds: the start-of-step vectors, α̃/(1 + γ) and 1/(1 + γ), both over the
+// answer to drag.
+void FastProjection::prepare(const Vectors& start, double h, double answer) {
+  std::fill(multipliers_.begin(), multipliers_.end(), 0.0);
+  std::fill(scale_.begin(), scale_.end(), 1.0 / answer);
+  std::fill(diagonal_.begin(), diagonal_.end(), 0.0);
+  if (!compliant_) return;
+  const SystemLinks& links = system_.links;
+  link_vectors(links, start, start_vector_);
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const double gamma = links.compliance[i] * links.damping[i] / h;
+    scale_[i] = 1.0 / ((1.0 + gamma) * answer);
+    diagonal_[i] = links.compliance[i] / (h * h) * scale_[i];
+  }
+}
+
+// r of every link and its unit direction; returns the largest |r|/l.
+double FastProjection::measure_residual(const Vectors& position, double h, StepReport& report) {
+  const SystemLinks& links = system_.links;
+  link_vectors(links, position, direction_);
+  const Eigen::Index count = std::ssize(residual_);
+  Eigen::Map<Eigen::ArrayXd> x(direction_.x.data(), count), y(direction_.y.data(), count),
+      z(direction_.z.data(), count), distance(distance_.data(), count), residual(residual_.data(), count);
+  distance = (x.square() + y.square() + z.square()).sqrt();
+  residual = distance - Eigen::Map<const Eigen::ArrayXd>(links.length.data(), count);
+  if (compliant_) add_compliance(h);
+  scale_directions();
+
+  double worst = 0.0;
+  std::size_t worst_link = 0;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const double size = std::abs(residual_[i]) * inverse_length_[i];
+    if (!(size <= worst)) {
+      worst = size;
+      worst_link = i;
+    }
+    if (distance_[i] == 0.0) {
+      report.status = StepStatus::direction_lost;
+      report.worst_link = links.link[i];
+      return worst;
+    }
+  }
+  if (links.size() > 0) report.worst_link = links.link[worst_link];
+  if (!std::isfinite(worst)) report.status = StepStatus::not_finite;
+  return worst;
+}
+
+// The part of r that a link without compliance does not have.
+void FastProjection::add_compliance(double h) {
+  const SystemLinks& links = system_.links;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    if (links.compliance[i] == 0.0) continue;
+    const Vec3 moved = direction_.at(i) - start_vector_.at(i);
+    const double rate = direction_.at(i).dot(moved) / (distance_[i] * h);
+    residual_[i] += links.compliance[i] * (links.damping[i] * rate - multipliers_[i] / (h * h));
+  }
+}
+
+void FastProjection::scale_directions() {
+  for (std::size_t i = 0; i < distance_.size(); ++i) {
+    const double inverse = 1.0 / distance_[i];
+    direction_.x[i] *= inverse;
+    direction_.y[i] *= inverse;
+    direction_.z[i] *= inverse;
+  }
+}
+
+}  // namespace taut

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cmath>
+#include <memory>
+
+#include "direct/link_topology.h"
+
+namespace taut {
+
+/// A pivot that elimination has left at less than 1e-11 of its matrix entry is rounding: the link is
+/// redundant (a taut straight row between two pins). It is given a share of the entry instead, which acts as
+/// a compliance in that link alone; where the lengths can be met Newton's method still meets them, because
+/// residuals are not touched.
+inline double mended_pivot(double pivot, double entry) {
+  return std::abs(pivot) < 1e-11 * std::abs(entry) ? 1e-7 * entry : pivot;
+}
+
+/// For links in path_order().
+std::unique_ptr<LinkMatrix> make_path_matrix(const SystemLinks& links);
+
+/// For links in the order of the steps, whose `link` then counts 0, 1, 2 …
+std::unique_ptr<LinkMatrix> make_tree_matrix(const Model& model, const SystemLinks& links,
+                                             const std::vector<TreeStep>& steps);
+
+/// For any links.
+std::unique_ptr<LinkMatrix> make_net_matrix(const SystemLinks& links, std::size_t mass_count);
+
+}  // namespace taut

@@ -1,0 +1,119 @@
+#include "forces/forces.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace taut {
+namespace {
+
+// v' = v·keep + gain in the free masses.
+void kick_axis(const std::vector<double>& inverse_mass, double gain, double keep,
+               const std::vector<double>& velocity, std::vector<double>& kicked) {
+  for (std::size_t i = 0; i < velocity.size(); ++i)
+    kicked[i] = inverse_mass[i] == 0.0 ? velocity[i] : velocity[i] * keep + gain;
+}
+
+void drift_axis(double h, const std::vector<double>& position, const std::vector<double>& velocity,
+                std::vector<double>& moved) {
+  for (std::size_t i = 0; i < position.size(); ++i) moved[i] = position[i] + h * velocity[i];
+}
+
+void difference_axis(double rate, const std::vector<double>& from, const std::vector<double>& to,
+                     std::vector<double>& velocity) {
+  for (std::size_t i = 0; i < from.size(); ++i) velocity[i] = (to[i] - from[i]) * rate;
+}
+
+// The wind's push on a triangle.
+struct WindPush {
+  Vec3 force = Vec3::Zero();  // N, on each of its masses
+  double rate = 0.0;          // 1/s: the share of the difference in speed that it takes away
+};
+
+// Visits the triangles that are whole with visit(triangle, push).
+template <class Visit>
+void visit_pushes(const Model& model, const State& state, const Vectors& position, const Vectors& velocity,
+                  double time, const Visit& visit) {
+  if (!model.wind) return;
+  const Wind& wind = *model.wind;
+  const Vec3 air = wind_at(wind, time);
+  const std::vector<double>& inverse_mass = model.masses.inverse_mass;
+  for (const Triangle& triangle : model.triangles) {
+    const auto& [a, b, c] = triangle.masses;
+    if (std::any_of(triangle.links.begin(), triangle.links.end(),
+                    [&state](Index link) { return link != no_link && state.broken(link); }))
+      continue;
+    const Vec3 across = 0.5 * (position.at(b) - position.at(a)).cross(position.at(c) - position.at(a));
+    const double area = across.norm();
+    if (area == 0.0) continue;
+    const Vec3 normal = across / area;
+    const Vec3 moving = (velocity.at(a) + velocity.at(b) + velocity.at(c)) / 3.0;
+    const double speed = (air - moving).dot(normal);
+    const double force = wind.density * wind.drag_coefficient * area * std::abs(speed) / 6.0;
+    visit(triangle, WindPush{(force * speed) * normal,
+                             force * (inverse_mass[a] + inverse_mass[b] + inverse_mass[c]) / 3.0});
+  }
+}
+
+}  // namespace
+
+void kick(const Model& model, double load_time, double h, const Vectors& velocity, Vectors& kicked,
+          DragAt drag_at) {
+  const std::vector<double>& inverse_mass = model.masses.inverse_mass;
+  const double answer = drag_at == DragAt::end ? 1.0 / (1.0 + h * model.drag) : 1.0;
+  const double keep = drag_at == DragAt::end ? answer : 1.0 - h * model.drag;
+  const Vec3 gain = model.gravity * (h * answer);
+  kick_axis(inverse_mass, gain.x(), keep, velocity.x, kicked.x);
+  kick_axis(inverse_mass, gain.y(), keep, velocity.y, kicked.y);
+  kick_axis(inverse_mass, gain.z(), keep, velocity.z, kicked.z);
+  for (const Load& load : model.loads) {
+    const Vec3 impulse = load.force * (load.share(load_time) * h * answer);
+    if (impulse.isZero(0.0)) continue;
+    for (const Index mass : load.masses) kicked.add(mass, impulse * inverse_mass[mass]);
+  }
+}
+
+void blow(const Model& model, const State& state, const Vectors& position, const Vectors& velocity,
+          double time, double h, Vectors& kicked, DragAt drag_at) {
+  visit_pushes(model, state, position, velocity, time, [&](const Triangle& triangle, const WindPush& push) {
+    const double taken = h * push.rate;
+    const double share = drag_at == DragAt::end ? 1.0 / (1.0 + taken) : std::min(1.0, 1.0 / taken);
+    for (const Index mass : triangle.masses)
+      kicked.add(mass, (h * share * model.masses.inverse_mass[mass]) * push.force);
+  });
+}
+
+void add_wind(const Model& model, const State& state, const Vectors& position, const Vectors& velocity,
+              double time, Vectors& acceleration) {
+  visit_pushes(model, state, position, velocity, time, [&](const Triangle& triangle, const WindPush& push) {
+    for (const Index mass : triangle.masses)
+      acceleration.add(mass, model.masses.inverse_mass[mass] * push.force);
+  });
+}
+
+void drift(double h, const Vectors& position, const Vectors& velocity, Vectors& moved) {
+  drift_axis(h, position.x, velocity.x, moved.x);
+  drift_axis(h, position.y, velocity.y, moved.y);
+  drift_axis(h, position.z, velocity.z, moved.z);
+}
+
+void difference_quotient(double h, const Vectors& from, const Vectors& to, Vectors& velocity) {
+  difference_axis(1.0 / h, from.x, to.x, velocity.x);
+  difference_axis(1.0 / h, from.y, to.y, velocity.y);
+  difference_axis(1.0 / h, from.z, to.z, velocity.z);
+}
+
+void keep_out_of_plane(const Plane& plane, const Masses& masses, const Vectors& start, Vectors& position) {
+  for (std::size_t i = 0; i < position.size(); ++i) {
+    const Vec3 x = position.at(i);
+    const double depth = (plane.point - x).dot(plane.normal);
+    if (!(depth > 0.0) || masses.pinned(i)) continue;
+    const Vec3 moved = x - start.at(i);
+    const Vec3 slide = moved - plane.normal * moved.dot(plane.normal);
+    const double distance = slide.norm();
+    const double held = plane.friction * depth;
+    const double kept = distance > held ? 1.0 - held / distance : 0.0;
+    position.set(i, x + plane.normal * depth - slide * (1.0 - kept));
+  }
+}
+
+}  // namespace taut

@@ -1,0 +1,47 @@
+#include "forces/half_kicks.h"
+
+#include <fmt/format.h>
+
+#include "base/failure.h"
+#include "forces/forces.h"
+
+namespace taut {
+
+void HalfKicks::links_changed(const State& state) {
+  springs_ = gather_springs(model_, state);
+  damped_ = any_damped(springs_);
+  const double frequency = highest_frequency(springs_, state.position);
+  if (frequency * longest_step_ < 2.0) return;
+  throw BadRequest(
+      fmt::format("method {} treats links with stiffness as forces, and the stiffest vibrate at {:.4g} "
+                  "rad/s: that needs more than {:.0f} steps_per_second, or method newton, which takes any "
+                  "stiffness",
+                  method_, frequency, 0.5 * frequency));
+}
+
+void HalfKicks::start(const State& whole, double time, double half, const Vectors& position,
+                      const Vectors& velocity, const Vectors& met, Vectors& kicked) {
+  kicked = velocity;
+  kick(model_, time, half, velocity, kicked, DragAt::start);
+  kick_by_springs(springs_, half, position, met, kicked, spring_tension_);
+  blow(model_, whole, position, met, time, half, kicked, DragAt::start);
+}
+
+void HalfKicks::end(const State& whole, double time, double half, const Vectors& position,
+                    const Vectors& kicked, Vectors& velocity, std::vector<double>& tension) {
+  if (meet_velocity()) {
+    guess_ = velocity;
+    for (std::size_t i = 0; i < guess_.size(); ++i)
+      if (!model_.masses.pinned(i)) guess_.add(i, (velocity.at(i) - kicked.at(i)) / answered_at_once_);
+    kick_by_springs(springs_, half, position, velocity, guess_, spring_tension_);
+    blow(model_, whole, position, velocity, time, half, guess_, DragAt::start);
+    kick(model_, time, half, guess_, guess_);
+    blow(model_, whole, position, guess_, time, half, velocity, DragAt::start);
+  }
+  kick_by_springs(springs_, half, position, meet_velocity() ? guess_ : velocity, velocity, spring_tension_);
+  for (std::size_t i = 0; i < springs_.links.size(); ++i)
+    tension[springs_.links.link[i]] = spring_tension_[i];
+  kick(model_, time, half, velocity, velocity);
+}
+
+}  // namespace taut

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "model/model.h"
+#include "model/state.h"
+#include "forces/springs.h"
+
+namespace taut {
+
+/// What methods of second order know as forces: gravity, loads, drag, wind, and links with stiffness, in half
+/// kicks at both ends of a step.
+///
+///   v_k = v + (h/2) a(x, v)                                   at the start
+///   x₁, v½ = (x₁ − x)/h                                       the method's: what rigid links make of v_k
+///   u = v½ + (h/2) a(x₁, v½) + (v½ − v_k)/n                   a first guess at v₁
+///   v₁ = v½ + (h/2) a(x₁, u)                                  at the end
+///
+/// Damping and wind ask for v₁ before it is known, and second order asks for it within O(h²). The guess
+/// counts on rigid links doing in the second half what they did in the first; without that it is out by O(h),
+/// and the method of first order. v½ − v_k is their answer to n half kicks: one where they also answer at the
+/// end of a step (rattle), two where they do not (shake). Drag alone may be implicit in v₁: what it takes too
+/// much of lies along the links, which put it right.
+class HalfKicks {
+ public:
+  HalfKicks(const Model& model, std::string_view method, double longest_step, double answered_at_once)
+      : model_(model), method_(method), longest_step_(longest_step), answered_at_once_(answered_at_once) {}
+
+  /// To be called before the first step and whenever links have broken. Throws BadRequest where the stiffest
+  /// springs vibrate too fast for the longest step, ω·h ≥ 2.
+  void links_changed(const State& state);
+
+  /// Whether any force but drag depends on velocity.
+  bool meet_velocity() const { return model_.wind.has_value() || damped_; }
+
+  /// Spring forces worked out in a step.
+  std::int64_t solves() const {
+    return (meet_velocity() ? 3 : 2) * static_cast<std::int64_t>(springs_.links.size());
+  }
+
+  /// Half a kick at the start: `kicked` from `velocity`; damping and wind meet the velocities `met`.
+  void start(const State& whole, double time, double half, const Vectors& position, const Vectors& velocity,
+             const Vectors& met, Vectors& kicked);
+
+  /// Half a kick at the end, to the mean velocities of the step; `kicked` as start() left it, before rigid
+  /// links had their say. Springs' tensions (N) go into `tension`, one a link of the model.
+  void end(const State& whole, double time, double half, const Vectors& position, const Vectors& kicked,
+           Vectors& velocity, std::vector<double>& tension);
+
+ private:
+  const Model& model_;
+  std::string_view method_;
+  double longest_step_;      // s
+  double answered_at_once_;  // n
+  Springs springs_;
+  bool damped_ = false;
+  Vectors guess_;
+  std::vector<double> spring_tension_;
+};
+
+}  // namespace taut

@@ -1,0 +1,97 @@
+#include "forces/springs.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "methods/frequency.h"
+
+namespace taut {
+
+Springs gather_springs(const Model& model, const State& state) {
+  std::vector<Index> soft;
+  for (const Index link : solvable_links(model))
+    if (!model.links.rigid(link) && !state.broken(link)) soft.push_back(link);
+  Springs springs{gather(model, soft), {}};
+  for (const Index link : soft) {
+    springs.stiffness.push_back(model.links.stiffness[link]);
+  }
+  return springs;
+}
+
+bool any_damped(const Springs& springs) {
+  return std::ranges::any_of(springs.links.damping, [](double damping) { return damping > 0.0; });
+}
+
+namespace {
+
+// Unit vectors and pulls of all springs.
+void evaluate(const Springs& springs, const Vectors& position, const Vectors& velocity, Vectors& direction,
+              std::vector<double>& tension) {
+  link_vectors(springs.links, position, direction);
+  tension.resize(springs.links.size());
+  for (std::size_t i = 0; i < tension.size(); ++i) {
+    const double distance = direction.at(i).norm();
+    direction.set(i, distance > 0.0 ? Vec3(direction.at(i) / distance) : Vec3::Zero());
+    const Vec3 speed = velocity.at(springs.links.a[i]) - velocity.at(springs.links.b[i]);
+    tension[i] = springs.stiffness[i] * (distance - springs.links.length[i]) +
+                 springs.links.damping[i] * direction.at(i).dot(speed);
+  }
+}
+
+}  // namespace
+
+void spring_tensions(const Springs& springs, const Vectors& position, const Vectors& velocity,
+                     std::vector<double>& tension) {
+  Vectors direction;
+  evaluate(springs, position, velocity, direction, tension);
+}
+
+void kick_by_springs(const Springs& springs, double h, const Vectors& position, const Vectors& velocity,
+                     Vectors& kicked, std::vector<double>& tension) {
+  if (springs.empty()) return;
+  Vectors direction;
+  evaluate(springs, position, velocity, direction, tension);
+  std::vector<double> impulse(tension.size());
+  for (std::size_t i = 0; i < tension.size(); ++i) impulse[i] = -h * tension[i];
+  apply_impulses(springs.links, direction, impulse, kicked);
+}
+
+double highest_frequency(const Springs& springs, const Vectors& position) {
+  if (springs.empty()) return 0.0;
+  Vectors direction;
+  std::vector<double> unused;
+  Vectors still;
+  still.resize(position.size());
+  evaluate(springs, position, still, direction, unused);
+  // A start with a part along every mode: neighbours against each other, of unequal size.
+  Vectors mode = still;
+  for (std::size_t i = 0; i < position.size(); ++i) {
+    const double size = (i % 2 == 0 ? 1.0 : -1.0) * (1.0 + 0.3 * std::sin(1.7 * static_cast<double>(i)));
+    mode.set(i, Vec3(size, 0.9 * size, 1.1 * size));
+  }
+  double eigenvalue = 0.0;
+  std::vector<double> pull(springs.links.size());
+  for (int round = 0; round < 3000; ++round) {
+    Vectors next = still;
+    for (std::size_t i = 0; i < pull.size(); ++i)
+      pull[i] = springs.stiffness[i] *
+                direction.at(i).dot(mode.at(springs.links.a[i]) - mode.at(springs.links.b[i]));
+    apply_impulses(springs.links, direction, pull, next);
+    double size = 0.0;
+    for (std::size_t i = 0; i < next.size(); ++i) size += next.at(i).squaredNorm();
+    size = std::sqrt(size);
+    if (size == 0.0) return 0.0;
+    for (std::size_t i = 0; i < next.size(); ++i) next.set(i, next.at(i) / size);
+    mode = std::move(next);
+    const bool settled = std::abs(size - eigenvalue) <= 1e-9 * size;
+    eigenvalue = size;
+    if (settled && round > 20) break;
+  }
+  return std::sqrt(eigenvalue);
+}
+
+double highest_spring_frequency(const Model& model, const State& state) {
+  return highest_frequency(gather_springs(model, state), state.position);
+}
+
+}  // namespace taut

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "direct/link_system.h"
+
+namespace taut {
+
+/// Links with stiffness and damping as forces.
+struct Springs {
+  SystemLinks links;
+  std::vector<double> stiffness;  ///< N/m
+
+  bool empty() const { return links.size() == 0; }
+};
+
+/// The whole links with stiffness that have a free end.
+Springs gather_springs(const Model& model, const State& state);
+
+/// Whether any of them is damped.
+bool any_damped(const Springs& springs);
+
+/// Pull of each spring (N): k (|d| − l) + c d·ḋ/|d|.
+void spring_tensions(const Springs& springs, const Vectors& position, const Vectors& velocity,
+                     std::vector<double>& tension);
+
+/// Adds to `kicked` what the springs' pulls do to velocities in h seconds.
+void kick_by_springs(const Springs& springs, double h, const Vectors& position, const Vectors& velocity,
+                     Vectors& kicked, std::vector<double>& tension);
+
+/// The largest angular frequency (rad/s) of the springs' vibrations about a configuration: the root of the
+/// largest eigenvalue of M⁻¹K, K = Σ k n nᵀ, by power iteration from a fixed start. Explicit steps need ω·h
+/// < 2.
+double highest_frequency(const Springs& springs, const Vectors& position);
+
+}  // namespace taut

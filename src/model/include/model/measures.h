@@ -1,0 +1,67 @@
+#pragma once
+
+#include "model/model.h"
+#include "model/state.h"
+
+namespace taut {
+
+/// How far links are from their lengths: (distance − length)/length over the whole links.
+struct Strain {
+  double largest = 0.0;  ///< largest |strain|
+  double mean = 0.0;     ///< mean |strain|
+  double root_mean_square = 0.0;
+  Index worst_link = no_link;
+};
+Strain link_strain(const Model& model, const State& state);
+
+/// Energy of the free masses and whole links (J). Potential energy counts from the origin.
+struct Energy {
+  double kinetic = 0.0;
+  double potential = 0.0;  ///< in gravity
+  double elastic = 0.0;    ///< k (distance − length)²/2 of links with stiffness
+
+  double total() const { return kinetic + potential + elastic; }
+};
+Energy energy(const Model& model, const State& state);
+
+/// The size that energy errors are measured in (J): kinetic and elastic energy at the start + weight × total
+/// link length.
+double energy_scale(const Model& model, const State& start);
+
+/// Energy that a run has gained from nothing, over the energy scale, when it counts as diverged.
+inline constexpr double divergence = 1e3;
+
+/// The size that errors of place are measured in (m): the diagonal of the box around all masses at the start;
+/// the total link length where that is nothing.
+double scene_size(const Model& model, const State& start);
+
+/// Linear momentum of the free masses (kg m/s).
+Vec3 linear_momentum(const Model& model, const State& state);
+
+/// Angular momentum of the free masses about the origin (kg m²/s).
+Vec3 angular_momentum(const Model& model, const State& state);
+
+/// Centre of the free masses (m).
+Vec3 centre_of_mass(const Model& model, const State& state);
+
+/// How far the lowest mass lies below the lowest pin (below the highest mass where nothing is pinned), along
+/// y (m).
+double sag(const Model& model, const State& state);
+
+/// Speed of the fastest mass (m/s).
+double fastest_speed(const State& state);
+
+/// How far the worst angle is beyond its range (rad); 0 where none is.
+double largest_limit_excess(const Model& model, const State& state);
+
+/// How deep the deepest contact point, or mass on a plane, is inside what it can't enter (m); 0 where none
+/// is.
+double deepest_penetration(const Model& model, const State& state);
+
+/// Links that are broken.
+std::size_t broken_links(const State& state);
+
+/// Largest distance between the places of one mass in two states (m).
+double position_error(const State& state, const State& reference);
+
+}  // namespace taut

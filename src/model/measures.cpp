@@ -1,0 +1,140 @@
+#include "model/measures.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace taut {
+
+Strain link_strain(const Model& model, const State& state) {
+  Strain strain;
+  double sum = 0.0, squares = 0.0;
+  std::size_t whole = 0;
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    if (state.broken(i)) continue;
+    const double size = std::abs(link_distance(model, state.position, i) / model.links.length[i] - 1.0);
+    sum += size;
+    squares += size * size;
+    ++whole;
+    if (size > strain.largest || strain.worst_link == no_link) {
+      strain.largest = size;
+      strain.worst_link = static_cast<Index>(i);
+    }
+  }
+  if (whole > 0) {
+    strain.mean = sum / static_cast<double>(whole);
+    strain.root_mean_square = std::sqrt(squares / static_cast<double>(whole));
+  }
+  return strain;
+}
+
+Energy energy(const Model& model, const State& state) {
+  Energy energy;
+  for (std::size_t i = 0; i < model.masses.size(); ++i) {
+    if (model.masses.pinned(i)) continue;
+    energy.kinetic += 0.5 * model.masses.mass[i] * state.velocity.at(i).squaredNorm();
+    energy.potential -= model.masses.mass[i] * model.gravity.dot(state.position.at(i));
+  }
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    if (model.links.rigid(i) || state.broken(i)) continue;
+    const double stretch = link_distance(model, state.position, i) - model.links.length[i];
+    energy.elastic += 0.5 * model.links.stiffness[i] * stretch * stretch;
+  }
+  return energy;
+}
+
+double energy_scale(const Model& model, const State& start) {
+  const Energy at_start = energy(model, start);
+  return at_start.kinetic + at_start.elastic +
+         free_mass(model) * model.gravity.norm() * total_link_length(model);
+}
+
+double scene_size(const Model& model, const State& start) {
+  if (start.position.size() == 0) return 0.0;
+  Vec3 low = start.position.at(0), high = low;
+  for (std::size_t i = 1; i < start.position.size(); ++i) {
+    low = low.cwiseMin(start.position.at(i));
+    high = high.cwiseMax(start.position.at(i));
+  }
+  const double diagonal = (high - low).norm();
+  return diagonal > 0.0 ? diagonal : total_link_length(model);
+}
+
+Vec3 linear_momentum(const Model& model, const State& state) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 0; i < model.masses.size(); ++i)
+    if (!model.masses.pinned(i)) sum += model.masses.mass[i] * state.velocity.at(i);
+  return sum;
+}
+
+Vec3 angular_momentum(const Model& model, const State& state) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 0; i < model.masses.size(); ++i)
+    if (!model.masses.pinned(i))
+      sum += model.masses.mass[i] * state.position.at(i).cross(state.velocity.at(i));
+  return sum;
+}
+
+Vec3 centre_of_mass(const Model& model, const State& state) {
+  Vec3 sum = Vec3::Zero();
+  double mass = 0.0;
+  for (std::size_t i = 0; i < model.masses.size(); ++i) {
+    if (model.masses.pinned(i)) continue;
+    sum += model.masses.mass[i] * state.position.at(i);
+    mass += model.masses.mass[i];
+  }
+  return mass > 0.0 ? Vec3(sum / mass) : sum;
+}
+
+double sag(const Model& model, const State& state) {
+  double lowest = infinity, lowest_pin = infinity, highest = -infinity;
+  for (std::size_t i = 0; i < model.masses.size(); ++i) {
+    const double y = state.position.y[i];
+    lowest = std::min(lowest, y);
+    highest = std::max(highest, y);
+    if (model.masses.pinned(i)) lowest_pin = std::min(lowest_pin, y);
+  }
+  return (lowest_pin < infinity ? lowest_pin : highest) - lowest;
+}
+
+double fastest_speed(const State& state) {
+  double fastest = 0.0;
+  for (std::size_t i = 0; i < state.velocity.size(); ++i)
+    fastest = std::max(fastest, state.velocity.at(i).norm());
+  return fastest;
+}
+
+double largest_limit_excess(const Model& model, const State& state) {
+  double largest = 0.0;
+  for (const Limit& limit : model.limits)
+    largest = std::max(largest, overshoot(limit, limit_angle(limit, state.position)).size);
+  return largest;
+}
+
+double deepest_penetration(const Model& model, const State& state) {
+  double deepest = 0.0;
+  for (const ContactPoint& point : model.contacts) {
+    Vec3 place = Vec3::Zero();
+    for (std::size_t k = 0; k < point.masses.size(); ++k)
+      place += point.weights[k] * state.position.at(point.masses[k]);
+    for (const Collider& collider : model.colliders)
+      deepest = std::max(deepest, point.radius - nearest_surface(collider.shape, place).distance);
+  }
+  if (model.plane)
+    for (std::size_t i = 0; i < model.masses.size(); ++i)
+      deepest = std::max(deepest, (model.plane->point - state.position.at(i)).dot(model.plane->normal));
+  return deepest;
+}
+
+std::size_t broken_links(const State& state) {
+  return static_cast<std::size_t>(std::count_if(state.broken_at.begin(), state.broken_at.end(),
+                                                [](double at) { return at != infinity; }));
+}
+
+double position_error(const State& state, const State& reference) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < state.position.size(); ++i)
+    largest = std::max(largest, (state.position.at(i) - reference.position.at(i)).norm());
+  return largest;
+}
+
+}  // namespace taut

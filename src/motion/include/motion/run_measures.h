@@ -1,0 +1,38 @@
+#pragma once
+
+#include "motion/work_ledger.h"
+#include "model/measures.h"
+#include "methods/method.h"
+
+namespace taut {
+
+/// The state as reports show it: velocities projected onto what links allow where the method leaves half a
+/// kick in them.
+State reported_state(const Model& model, const Capabilities& can, const State& state);
+
+/// What was measured of a run from its start to a later state.
+struct RunMeasures {
+  double time = 0.0;             ///< s
+  Strain strain;                 ///< at the end
+  double largest_tension = 0.0;  ///< N, of the whole links at the end
+  Energy energy_at_start, energy;
+  double pin_work = 0.0;       ///< J
+  double load_work = 0.0;      ///< J
+  double broken_energy = 0.0;  ///< J
+  double energy_error =
+      0.0;  ///< (gain − pin work − load work + broken energy) over the energy scale; drag counts as error
+  Vec3 linear_momentum = Vec3::Zero();   ///< kg m/s
+  Vec3 angular_momentum = Vec3::Zero();  ///< kg m²/s
+  double sag = 0.0;                      ///< m
+  double fastest_speed = 0.0;            ///< m/s
+  double limit_excess = 0.0;             ///< rad
+  double penetration = 0.0;              ///< m
+  std::size_t broken_links = 0;
+  StepReport counts;  ///< sums over all steps
+};
+
+/// Measures the reported state `end` of a run that began at `start`.
+RunMeasures measure_run(const Model& model, const State& start, const State& end, const WorkLedger& ledger,
+                        const StepReport& counts);
+
+}  // namespace taut

@@ -1,1 +1,0 @@
-# External packages that only taut_scene uses.

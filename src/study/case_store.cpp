@@ -1,0 +1,138 @@
+#include "study/case_store.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include "base/failure.h"
+#include "output/atomic_file.h"
+
+namespace taut {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+[[noreturn]] void fail(const std::filesystem::path& file, std::string_view verb, int error) {
+  throw RunFailure(
+      fmt::format("can't {} {}: {}", verb, file.string(), std::generic_category().message(error)));
+}
+
+[[noreturn]] void conflict(const std::filesystem::path& file, std::string_view what) {
+  throw OutputConflict(
+      fmt::format("{} {}; --overwrite replaces it, -o chooses another folder", file.string(), what));
+}
+
+std::string header_for(std::string_view inputs) {
+  return Json{{"taut", "cases"}, {"inputs", inputs}}.dump() + "\n";
+}
+
+std::string read_all(const std::filesystem::path& file, int descriptor) {
+  std::string text;
+  std::array<char, 65536> buffer;
+  for (;;) {
+    const ssize_t count = ::read(descriptor, buffer.data(), buffer.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail(file, "read", errno);
+    if (count == 0) return text;
+    text.append(buffer.data(), static_cast<std::size_t>(count));
+  }
+}
+
+// The key and the result of one line; nothing where it is damaged.
+std::optional<std::pair<std::string, std::string>> read_line(std::string_view line) {
+  try {
+    const Json json = Json::parse(line);
+    return std::pair(json.at("case").get<std::string>(), json.at("result").dump());
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  }
+}
+
+bool is_header(std::string_view line) {
+  const Json json = Json::parse(line, nullptr, false);
+  return json.is_object() && json.value("taut", Json()) == "cases" && json.contains("inputs");
+}
+
+}  // namespace
+
+CaseStore::CaseStore(std::filesystem::path file, std::string_view inputs, bool overwrite)
+    : file_(std::move(file)) {
+  if (file_.has_parent_path()) make_folder(file_.parent_path());
+  constexpr mode_t everyone_as_umask_allows = 0666;
+  descriptor_ = ::open(file_.c_str(), O_CREAT | O_RDWR | O_APPEND | O_CLOEXEC, everyone_as_umask_allows);
+  if (descriptor_ < 0) fail(file_, "write", errno);
+  try {
+    if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
+      if (errno != EWOULDBLOCK) fail(file_, "lock", errno);
+      throw RunFailure(fmt::format("another taut is working on {}", file_.string()));
+    }
+    read(header_for(inputs), overwrite);
+  } catch (...) {
+    ::close(descriptor_);
+    throw;
+  }
+}
+
+CaseStore::~CaseStore() {
+  ::close(descriptor_);
+}
+
+void CaseStore::read(const std::string& header, bool overwrite) {
+  const std::string text = overwrite ? std::string() : read_all(file_, descriptor_);
+  std::size_t kept = 0;  // bytes of whole lines
+  if (!header.starts_with(text)) {
+    if (!text.starts_with(header))
+      conflict(file_, is_header(text.substr(0, text.find('\n')))
+                          ? "holds cases of other inputs or of another build"
+                          : "is no file of cases");
+    kept = header.size();
+    for (std::size_t end = 0; (end = text.find('\n', kept)) != std::string::npos; kept = end + 1) {
+      auto entry = read_line(std::string_view(text).substr(kept, end - kept));
+      if (!entry)
+        conflict(file_,
+                 fmt::format(
+                     "is damaged at line {}",
+                     std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(kept), '\n') + 1));
+      results_.insert(*std::move(entry));
+    }
+  } else if (text == header) {
+    kept = header.size();
+  }
+  if (kept == text.size() && kept > 0) return;
+  if (::ftruncate(descriptor_, static_cast<off_t>(kept)) != 0) fail(file_, "write", errno);
+  if (kept == 0) append(header);
+}
+
+void CaseStore::append(std::string_view left) {
+  while (!left.empty()) {
+    const ssize_t written = ::write(descriptor_, left.data(), left.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) fail(file_, "write", errno);
+    left.remove_prefix(static_cast<std::size_t>(written));
+  }
+  if (::fdatasync(descriptor_) != 0) fail(file_, "write", errno);
+}
+
+void CaseStore::add(const std::string& key, std::string_view json) {
+  if (has(key)) throw std::logic_error(fmt::format("the case {} was run twice", key));
+  const Json result = Json::parse(json);
+  append(Json{{"case", key}, {"result", result}}.dump() + "\n");
+  results_.emplace(key, result.dump());
+}
+
+CaseCount CaseStore::count(const std::vector<std::string>& planned) const {
+  const auto completed = std::ranges::count_if(planned, [&](const std::string& key) { return has(key); });
+  return {static_cast<std::size_t>(completed), planned.size()};
+}
+
+}  // namespace taut

@@ -1,0 +1,144 @@
+#include "study/chart.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "base/failure.h"
+#include "base/hash.h"
+#include "chart_json.h"
+#include "measure/cost.h"
+#include "model/measures.h"
+#include "host/build_info.h"
+#include "study/case_store.h"
+#include "study/reference_cache.h"
+#include "study/scene_truth.h"
+
+namespace taut {
+namespace {
+
+// Shares of the budget: of one run, so that some hundred cases fit; of all timed runs of one case.
+constexpr double run_share = 1.0 / 200.0, case_share = 1.0 / 30.0;
+
+// How long one run may take (s, predicted): in large scenes long enough for a row of doublings.
+double longest_run(const Scene& scene, const Truth& truth, double budget) {
+  constexpr double coarsest = 60.0, doublings = 9.0;  // 1/s
+  return std::max(
+      budget * run_share,
+      std::exp2(doublings) * predicted_seconds(scene.model, "xpbd", coarsest * truth.horizon(), 1));
+}
+
+class Stopwatch {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+// The truth, with only those kinds of error that are wanted.
+Truth wanted_truth(const Scene& scene, const ChartRequest& request, const StopTest& stop) {
+  constexpr double patience = 40.0;  // s of one run, so that a large scene is charted over a time of some use
+  TruthRequest wanted;
+  wanted.stop = stop;
+  if (scene.model.links.size() > large_scene) wanted.certify_seconds = patience;
+  wanted.horizon = request.horizon;
+  wanted.motion = request.errors.empty() ||
+                  std::ranges::find(request.errors, ErrorKind::trajectory) != request.errors.end();
+  Truth truth = scene_truth(scene, wanted);
+  std::vector<std::string_view> missing;
+  for (const ErrorKind kind : all_error_kinds) {
+    const bool asked = std::ranges::find(request.errors, kind) != request.errors.end();
+    if (asked && !truth.smallest[kind]) missing.push_back(name_of(kind));
+    const bool usual = kind != ErrorKind::sag || !truth.certified;
+    if (!(request.errors.empty() ? usual : asked)) truth.smallest[kind].reset();
+  }
+  if (!missing.empty())
+    truth.remark +=
+        fmt::format("{}not judged: {}", truth.remark.empty() ? "" : "; ", fmt::join(missing, ", "));
+  return truth;
+}
+
+std::string inputs_of(const Scene& scene, const ChartRequest& request) {
+  Hash hash;
+  hash.add(physics_toml(scene)).add(build_info()).add(std::span(&request.budget, 1));
+  const double horizon = request.horizon.value_or(-1.0);
+  hash.add(std::span(&horizon, 1));
+  for (const ErrorKind kind : request.errors) hash.add(name_of(kind));
+  return hash.hex();
+}
+
+std::string key_of(const Curve& curve, const GridPoint& point) {
+  return curve.relaxes
+             ? fmt::format("{}, {} steps/s, {} passes", curve.name, point.steps_per_second(), point.passes())
+             : fmt::format("{}, {} steps/s", curve.name, point.steps_per_second());
+}
+
+ChartCase run_case(const Scene& scene, const Truth& truth, const Settings& settings, double budget) {
+  ChartCase done;
+  done.settings = settings;
+  done.run = judge_run(scene.model, scene.start, truth, settings);
+  const auto steps = static_cast<std::int64_t>(std::llround(truth.horizon() * settings.steps_per_second()));
+  if (!done.run.diverged)
+    done.times = time_runs(scene.model, scene.start, settings, steps, budget * case_share);
+  return done;
+}
+
+std::size_t handled(const GridWalk::Counts& counts) {
+  return counts.run + counts.off_front + counts.no_gain + counts.too_dear;
+}
+
+}  // namespace
+
+double ChartCase::seconds() const {
+  return times.processor.empty() ? infinity : *std::ranges::min_element(times.processor);
+}
+
+Chart measure_chart(const Scene& scene, const ChartRequest& request, const std::filesystem::path& store_file,
+                    Progress& progress, const StopTest& stop) {
+  Chart chart;
+  chart.scene = scene.name;
+  chart.title = scene.title;
+  chart.masses = scene.model.masses.size();
+  chart.links = scene.model.links.size();
+  chart.size = scene_size(scene.model, scene.start);
+  chart.energy_scale = energy_scale(scene.model, scene.start);
+  chart.budget = request.budget;
+  chart.machine = this_machine();
+  Curves curves = curves_for(scene.model, request.methods);
+  chart.curves = std::move(curves.curves);
+  chart.omissions = std::move(curves.omissions);
+  CaseStore store(store_file, inputs_of(scene, request), request.overwrite);
+  chart.truth = wanted_truth(scene, request, stop);
+  for (const ErrorKind kind : all_error_kinds)
+    if (chart.truth.smallest[kind]) chart.errors.push_back(kind);
+  if (chart.errors.empty())
+    throw RunFailure(fmt::format("{}: no error can be judged: {}", scene.name, chart.truth.remark));
+
+  GridWalk walk(scene.model, chart.curves, chart.truth, longest_run(scene, chart.truth, request.budget));
+  const Stopwatch watch;
+  progress.start(static_cast<int>(walk.counts().open));
+  while (const std::optional<GridPoint> point = walk.next()) {
+    const Curve& curve = chart.curves[point->curve];
+    const std::string key = key_of(curve, *point);
+    if (!store.has(key)) {
+      chart.stopped = stop && stop();
+      if (chart.stopped || watch.seconds() > request.budget) break;
+      const Settings settings = settings_at(curve, point->steps_per_second(), point->passes());
+      store.add(key, case_to_json(run_case(scene, chart.truth, settings, request.budget)).dump());
+    }
+    chart.cases.push_back(case_from_json(store.result(key), *point));
+    walk.record(chart.cases.back().run);
+    progress.update(static_cast<int>(handled(walk.counts())));
+  }
+  chart.counts = walk.counts();
+  progress.finish();
+  return chart;
+}
+
+}  // namespace taut

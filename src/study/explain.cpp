@@ -1,0 +1,80 @@
+#include "study/explain.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "base/failure.h"
+#include "motion/advance.h"
+#include "methods/registry.h"
+#include "model/parts.h"
+#include "frames/simulation.h"
+
+namespace taut {
+namespace {
+
+constexpr int rounds = 7;
+constexpr double round_seconds = 0.02;
+
+// Seconds a step takes over the first `steps` of a scene's physics.
+double time_steps(const Scene& scene, const Model& model, std::int64_t steps) {
+  using Clock = std::chrono::steady_clock;
+  const double h = 1.0 / scene.settings.steps_per_second();
+  const auto stepper = find_method(scene.settings.method)->make(model, scene.settings);
+  State state = scene.start;
+  stepper->links_changed(state);
+  const auto begin = Clock::now();
+  for (std::int64_t i = 0; i < steps; ++i) {
+    const StepReport report = advance(*stepper, model, state, h);
+    if (report.status != StepStatus::done)
+      throw RunFailure(failure_sentence(model, state, report, scene.settings.method, h));
+  }
+  return std::chrono::duration<double>(Clock::now() - begin).count() / static_cast<double>(steps);
+}
+
+// One way to run a scene, and the best time so far.
+struct Variant {
+  Model model;
+  double seconds = infinity;
+};
+
+// A part that the method can't be without (stiffness, for a method of springs) has no time without it.
+bool can_do(const Scene& scene, const Model& model) {
+  return capability_problems(model, *find_method(scene.settings.method)).empty();
+}
+
+}  // namespace
+
+Explanation explain(const Scene& scene) {
+  const Simulation able(scene);  // complains where the method can't do what the scene needs
+  Explanation explanation;
+  const Model& model = scene.model;
+  explanation.masses = model.masses.size();
+  for (std::size_t i = 0; i < model.masses.size(); ++i) explanation.pins += model.masses.pinned(i) ? 1 : 0;
+  explanation.links = model.links.size();
+  explanation.links_between_pins = model.links.size() - solvable_links(model).size();
+  explanation.in_plane = stays_in_plane(model, scene.start);
+
+  std::vector<Variant> variants{{model}};
+  std::vector<std::size_t> variant_of;  // one a part; 0 where there is none without it
+  for (const Part& part : model_parts()) {
+    explanation.parts.push_back({std::string(part.name), part.extent(model)});
+    Model without = model;
+    part.remove(without);
+    const bool timed = !explanation.parts.back().extent.empty() && can_do(scene, without);
+    variant_of.push_back(timed ? variants.size() : 0);
+    if (timed) variants.push_back({std::move(without)});
+  }
+  const double first = time_steps(scene, model, 1);
+  const auto steps = static_cast<std::int64_t>(std::clamp(round_seconds / first, 1.0, 20000.0));
+  for (int round = 0; round < rounds; ++round)
+    for (Variant& variant : variants)
+      variant.seconds = std::min(variant.seconds, time_steps(scene, variant.model, steps));
+  explanation.step_seconds = variants.front().seconds;
+  for (std::size_t i = 0; i < variant_of.size(); ++i)
+    if (variant_of[i] > 0)
+      explanation.parts[i].seconds =
+          std::max(0.0, explanation.step_seconds - variants[variant_of[i]].seconds);
+  return explanation;
+}
+
+}  // namespace taut

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "study/chart.h"
+
+namespace taut {
+
+/// A chart as JSON text: everything, with every raw time.
+std::string chart_json(const Chart& chart);
+
+/// The same as a table, a line a case: curve, method, steps_per_second, passes, errors, link solves, least
+/// times.
+std::string chart_csv(const Chart& chart);
+
+/// Writes <scene>.json, <scene>.csv and for every kind of error <scene>-<error>.png and .svg (time) and
+/// <scene>-<error>-solves.png and .svg (link solves) into a folder. Throws RunFailure.
+void write_chart(const Chart& chart, const std::filesystem::path& folder);
+
+/// Writes chart.html, one page with all charts in it. Throws RunFailure.
+void write_chart_page(const std::vector<Chart>& charts, const std::filesystem::path& folder);
+
+}  // namespace taut

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "measure/planner.h"
+#include "study/chart.h"
+
+namespace taut {
+
+/// A plan, judged afterwards against the truth and against everything that was charted.
+struct PlanVerdict {
+  std::string scene;
+  double wanted = 0.0;
+  Plan plan;
+  ErrorKind kind = ErrorKind::trajectory;  ///< judged by: the motion where there is a true one, else the sag
+  double until = 0.0;                      ///< s, how far it was judged
+  double smallest = 0.0;                   ///< error that can be judged
+  double error = infinity;                 ///< infinity when the run diverged
+  double work = 0.0;                       ///< s, predicted_seconds() of the run up to the truth's horizon
+  std::optional<double>
+      cheapest_work;  ///< s, of the cheapest charted point that meets the target; none does: absent
+
+  bool judged() const { return wanted >= smallest; }
+  bool met() const { return error <= wanted; }
+};
+
+/// Plans a charted scene for errors of 10 %, 1 % and 0.1 %, runs each plan, and judges it.
+std::vector<PlanVerdict> judge_plans(const Scene& scene, const Chart& chart, const StopTest& stop = {});
+
+/// The verdicts as a Markdown table, with a sentence that counts those that can be judged.
+std::string plan_table(const std::vector<PlanVerdict>& verdicts);
+
+}  // namespace taut

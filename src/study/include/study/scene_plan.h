@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "measure/planner.h"
+#include "study/reference_cache.h"
+#include "scene/scene.h"
+
+namespace taut {
+
+/// Plans a scene's run (make_plan()) by its truth (scene_truth()), which is kept in a folder. Throws
+/// Interrupted.
+Plan plan_scene(const Scene& scene, const AccuracyTarget& target, std::string_view only = {},
+                const std::filesystem::path& folder = reference_folder(), const StopTest& stop = {});
+
+}  // namespace taut

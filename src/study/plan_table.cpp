@@ -1,0 +1,84 @@
+#include "study/plan_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "base/digits.h"
+#include "measure/cost.h"
+#include "study/scene_plan.h"
+
+namespace taut {
+namespace {
+
+std::optional<double> cheapest(const Scene& scene, const Chart& chart, ErrorKind kind, double wanted) {
+  std::optional<double> least;
+  for (const ChartCase& done : chart.cases) {
+    if (done.run.diverged || !done.run.errors[kind] || *done.run.errors[kind] > wanted) continue;
+    const double work = predicted_seconds(scene.model, done.settings.method, done.run.counts,
+                                          chart.truth.horizon() * done.settings.steps_per_second());
+    if (!least || work < *least) least = work;
+  }
+  return least;
+}
+
+std::string short_settings(const Settings& settings) {
+  std::string text = fmt::format("`{}` {}/s", settings.method, settings.steps_per_second());
+  if (const auto passes = settings.values.find("passes"); passes != settings.values.end())
+    text += fmt::format(" × {}", settings.number("passes"));
+  if (const auto order = settings.values.find("order"); order != settings.values.end())
+    text += fmt::format(" order {}", settings.choice("order"));
+  return text;
+}
+
+}  // namespace
+
+std::vector<PlanVerdict> judge_plans(const Scene& scene, const Chart& chart, const StopTest& stop) {
+  std::vector<PlanVerdict> verdicts;
+  for (const double wanted : {0.1, 0.01, 0.001}) {
+    PlanVerdict verdict;
+    verdict.scene = scene.name;
+    verdict.wanted = wanted;
+    verdict.plan = plan_scene(scene, {ErrorKind::trajectory, wanted, false}, {}, reference_folder(), stop);
+    verdict.kind = judging_kind(chart.truth, ErrorKind::trajectory, wanted);
+    verdict.until = chart.truth.horizon();
+    verdict.smallest = chart.truth.smallest[verdict.kind].value_or(infinity);
+    const JudgedRun run = judge_run(scene.model, scene.start, chart.truth, verdict.plan.settings, stop);
+    verdict.error = run.errors[verdict.kind].value_or(infinity);
+    verdict.work = predicted_seconds(scene.model, verdict.plan.settings.method, run.counts,
+                                     chart.truth.horizon() * verdict.plan.settings.steps_per_second());
+    verdict.cheapest_work = cheapest(scene, chart, verdict.kind, wanted);
+    verdicts.push_back(std::move(verdict));
+  }
+  return verdicts;
+}
+
+std::string plan_table(const std::vector<PlanVerdict>& verdicts) {
+  std::string table =
+      "| scene | wanted | judged by | until | plan | error | met | work ÷ cheapest charted "
+      "|\n|---|---|---|---|---|---|---|---|\n";
+  std::size_t judged = 0, met = 0, cheap = 0;
+  for (const PlanVerdict& verdict : verdicts) {
+    table += fmt::format("| {} | {} % | {} | {:.3g} s | {} | ", verdict.scene, 100.0 * verdict.wanted,
+                         name_of(verdict.kind), verdict.until, short_settings(verdict.plan.settings));
+    if (!verdict.judged()) {
+      table += fmt::format("can't be judged below {} | | |\n", percent(verdict.smallest));
+      continue;
+    }
+    const bool has_ratio = verdict.cheapest_work.has_value();
+    const double ratio = has_ratio ? verdict.work / *verdict.cheapest_work : infinity;
+    table += fmt::format("{} | {} | {} |\n", percent(verdict.error), verdict.met() ? "yes" : "no",
+                         has_ratio ? two_digits(ratio) : "none charted");
+    ++judged;
+    met += verdict.met();
+    cheap += ratio <= 2.0;
+  }
+  return table +
+         fmt::format(
+             "\n{} of {} plans that can be judged meet their target; {} cost at most twice the cheapest "
+             "charted point that does.\n",
+             met, judged, cheap);
+}
+
+}  // namespace taut

@@ -1,0 +1,78 @@
+#include "study/sag_files.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "output/atomic_file.h"
+#include "output/gnuplot.h"
+#include "output/png.h"
+#include "host/build_info.h"
+#include "study/sag_sheet.h"
+
+namespace taut {
+namespace {
+
+std::string csv_table(const SagStudy& study) {
+  std::string table = "passes,velocities_kept,at_rest,time,sag,exact_sag,sag_error,position_error,strain\n";
+  for (const SagEntry& entry : study.entries)
+    fmt::format_to(std::back_inserter(table), "{},{},{},{},{},{},{},{},{}\n", entry.passes, entry.growing,
+                   entry.shape.at_rest, entry.shape.state.time, entry.sag, study.exact_sag, entry.sag_error,
+                   entry.position_error, entry.largest_strain);
+  return table;
+}
+
+PlotScript sag_plot(const Scene& scene, const SagStudy& study) {
+  std::string data = "$sag << END\n";
+  for (const SagEntry& entry : study.entries)
+    if (!entry.growing) fmt::format_to(std::back_inserter(data), "{} {}\n", entry.passes, entry.sag);
+  data += "END\n";
+  const int first = study.entries.front().passes;
+  PlotScript plot;
+  plot.commands = data + fmt::format(
+                             "set title {}\nset xlabel 'passes over all links in each step'\n"
+                             "set ylabel 'sag (m)'\nset logscale x 2\n"
+                             "set label 1 {} at {},{} offset 0,-0.8 tc rgb '{}'\n"
+                             "set offsets graph 0.02, graph 0.02, graph 0.06, graph 0.10\n"
+                             "plot {} with lines lw 3 dt 2 lc rgb '{}', $sag with linespoints lt 1\n",
+                             plot_text(fmt::format("{}: {} at {:.6g} steps/s", scene.title,
+                                                   study.settings.method, study.settings.steps_per_second())),
+                             plot_text(fmt::format("exact: {:.4f} m", study.exact_sag)), first,
+                             study.exact_sag, plot_colour(4), study.exact_sag, plot_colour(4));
+  return plot;
+}
+
+}  // namespace
+
+std::string sag_json(const Scene& scene, const SagStudy& study) {
+  nlohmann::ordered_json json{{"scene", scene.name},
+                              {"method", study.settings.method},
+                              {"steps_per_second", study.settings.steps_per_second()},
+                              {"exact", {{"sag", study.exact_sag}, {"how", study.exact.how}}},
+                              {"entries", nlohmann::ordered_json::array()},
+                              {"build", build_info()}};
+  for (const SagEntry& entry : study.entries)
+    json["entries"].push_back({{"passes", entry.passes},
+                               {"velocities_kept", entry.growing},
+                               {"at_rest", entry.shape.at_rest},
+                               {"how", entry.shape.how},
+                               {"time", entry.shape.state.time},
+                               {"sag", entry.sag},
+                               {"sag_error", entry.sag_error},
+                               {"position_error", entry.position_error},
+                               {"largest_strain", entry.largest_strain}});
+  return json.dump(2) + "\n";
+}
+
+void write_sag_files(const Scene& scene, const SagStudy& study, const PictureSettings& settings,
+                     const std::filesystem::path& folder) {
+  make_folder(folder);
+  write_file(folder / "sag.csv", csv_table(study));
+  write_file(folder / "sag.json", sag_json(scene, study));
+  const std::vector<std::uint8_t> png = encode_png(sag_sheet(scene, study, settings));
+  write_file(folder / "sag.png", std::as_bytes(std::span(png)));
+  write_plot(sag_plot(scene, study), folder / "sag-over-passes");
+}
+
+}  // namespace taut

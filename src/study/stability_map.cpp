@@ -1,0 +1,236 @@
+#include "study/stability_map.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <charconv>
+#include <exception>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "base/hash.h"
+#include "base/split.h"
+#include "map_column_json.h"
+#include "methods/registry.h"
+#include "host/build_info.h"
+
+namespace taut {
+namespace {
+
+constexpr double shortest_step = 1e-5, longest_step = 0.1;  // s
+constexpr double fewest_passes = 1.0, most_passes = 3000.0;
+
+// One column of one method's map.
+struct Case {
+  std::size_t column;  // in the plan
+  const MapMethod* method;
+  std::string key;
+};
+
+std::vector<Case> all_cases(const StabilityRequest& request) {
+  std::vector<Case> cases;
+  for (std::size_t column = 0; column < request.plan.columns.size(); ++column)
+    for (const MapMethod& method : request.methods)
+      cases.push_back({column, &method, fmt::format("{} {}", method.label, request.plan.columns[column])});
+  return cases;
+}
+
+// A hash of all that decides what columns look like; which methods are asked for does not.
+std::string inputs_of(const Scene& scene, const MapPlan& plan) {
+  Hash hash;
+  hash.add(resolved_toml(scene)).add(build_info()).add(plan.axes->name);
+  hash.add(std::span<const double>(plan.columns)).add(std::span<const double>(plan.rows));
+  return hash.add(std::span(&plan.duration, 1)).hex();
+}
+
+// What is given, then the scene's own parameters where it is made for the method; defaults elsewhere.
+Settings given_settings(const Scene& scene, const MapMethod& method) {
+  Settings settings = method.settings;
+  if (scene.settings.method == settings.method)
+    settings.values.insert(scene.settings.values.begin(), scene.settings.values.end());
+  return settings;
+}
+
+std::filesystem::path file_of(const std::filesystem::path& folder, const Shard& shard) {
+  return folder /
+         (shard.all() ? "cases.jsonl" : fmt::format("cases-{}-of-{}.jsonl", shard.index, shard.count));
+}
+
+std::vector<std::filesystem::path> files_of_shards(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("cases-") && name.ends_with(".jsonl")) files.push_back(entry.path());
+  }
+  return files;
+}
+
+// Takes over what shards have left beside the main file; when that is begun anew, it goes away.
+void take_over_shards(CaseStore& store, const std::filesystem::path& folder, const std::string& inputs,
+                      bool overwrite) {
+  for (const std::filesystem::path& file : files_of_shards(folder)) {
+    if (overwrite) {
+      std::filesystem::remove(file);
+      continue;
+    }
+    const CaseStore left(file, inputs, false);
+    for (const auto& [key, result] : left.results())
+      if (!store.has(key)) store.add(key, result);
+  }
+}
+
+// Runs columns that are missing, several at a time. A column's truth is the same for all methods that know
+// rigid links, and is found once for each column that a thread works on.
+class Sweep {
+ public:
+  Sweep(const Scene& scene, const StabilityRequest& request, CaseStore& store, Progress& progress,
+        const StopTest& stop)
+      : scene_(scene), request_(request), store_(store), progress_(progress), stop_(stop) {
+    const std::vector<Case> cases = all_cases(request);
+    std::map<std::size_t, std::vector<Case>> missing;
+    std::size_t mine = 0;
+    for (const Case& one : cases) {
+      if (!request.shard.has(one.column)) continue;
+      ++mine;
+      if (store.has(one.key))
+        ++done_;
+      else
+        missing[one.column].push_back(one);
+    }
+    for (auto& [column, methods] : missing) columns_.push_back(std::move(methods));
+    progress_.start(static_cast<int>(mine));
+    progress_.update(static_cast<int>(done_));
+  }
+
+  // False when stopped before the end.
+  bool run() {
+    const std::size_t count = std::min<std::size_t>(std::max(1U, std::thread::hardware_concurrency()),
+                                                    std::max<std::size_t>(1, columns_.size()));
+    {
+      std::vector<std::jthread> threads;
+      for (std::size_t i = 0; i < count; ++i) threads.emplace_back([this] { work(); });
+    }
+    progress_.finish();
+    if (failure_) std::rethrow_exception(failure_);
+    return !stopping();
+  }
+
+ private:
+  bool stopping() const { return (stop_ && stop_()) || failed_; }
+
+  void work() {
+    try {
+      for (std::size_t next = next_++; next < columns_.size() && !stopping(); next = next_++)
+        run_column(columns_[next]);
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      if (!failure_) failure_ = std::current_exception();
+      failed_ = true;
+    }
+  }
+
+  void run_column(const std::vector<Case>& cases) {
+    std::map<bool, std::pair<Built, ColumnTruth>> by_rigidity;
+    const double value = request_.plan.columns[cases.front().column];
+    for (const Case& one : cases) {
+      const Method& method = *find_method(one.method->settings.method);
+      auto known = by_rigidity.find(method.can.rigid);
+      if (known == by_rigidity.end()) {
+        Built variant = map_variant(scene_.description, request_.plan.axes->columns, value, method);
+        ColumnTruth truth = column_truth(variant, request_.plan.duration);
+        known = by_rigidity.emplace(method.can.rigid, std::pair(std::move(variant), std::move(truth))).first;
+      }
+      const auto& [variant, truth] = known->second;
+      const auto column = map_column(request_.plan, value, variant, truth,
+                                     given_settings(scene_, *one.method), [this] { return stopping(); });
+      if (!column) return;
+      const std::lock_guard lock(mutex_);
+      store_.add(one.key, map_column_to_json(*column));
+      progress_.update(static_cast<int>(++done_));
+    }
+  }
+
+  const Scene& scene_;
+  const StabilityRequest& request_;
+  CaseStore& store_;
+  Progress& progress_;
+  const StopTest& stop_;
+  std::vector<std::vector<Case>> columns_;  // that miss something
+  std::atomic<std::size_t> next_{0};
+  std::atomic<bool> failed_{false};
+  std::mutex mutex_;  // guards what follows, and the store
+  std::size_t done_ = 0;
+  std::exception_ptr failure_;
+};
+
+StabilityMaps gather(const StabilityRequest& request, const CaseStore& store) {
+  StabilityMaps maps;
+  maps.plan = request.plan;
+  for (const MapMethod& method : request.methods) maps.maps.push_back({method.label, {}});
+  std::vector<std::string> planned;
+  for (const Case& one : all_cases(request)) {
+    if (!request.shard.has(one.column)) continue;
+    planned.push_back(one.key);
+    if (!store.has(one.key)) continue;
+    const auto map = std::find_if(maps.maps.begin(), maps.maps.end(),
+                                  [&](const MethodMap& each) { return each.method == one.method->label; });
+    map->columns.push_back(map_column_from_json(store.result(one.key)));
+  }
+  maps.count = store.count(planned);
+  return maps;
+}
+
+}  // namespace
+
+MapMethod parse_map_method(const std::string& text) {
+  const std::vector<std::string_view> parts = split(text, ':');
+  MapMethod method{text, {std::string(parts.front()), {}}};
+  complete_settings(method.settings);
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    const std::size_t equals = parts[i].find('=');
+    const std::string name(parts[i].substr(0, equals));
+    const std::string value(equals == std::string_view::npos ? "" : parts[i].substr(equals + 1));
+    double number = 0.0;
+    const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
+    if (error == std::errc() && end == value.data() + value.size())
+      method.settings.values[name] = number;
+    else
+      method.settings.values[name] = value;
+  }
+  complete_settings(method.settings);
+  return method;
+}
+
+MapPlan make_map_plan(const Scene& scene, const MapAxes& axes, int columns, int rows, double longest) {
+  MapPlan plan;
+  plan.axes = &axes;
+  plan.columns = spread_values(axes.least, axes.most, columns, axes.whole);
+  plan.rows = axes.rows == MapRows::step ? spread_values(shortest_step, longest_step, rows, false)
+                                         : spread_values(fewest_passes, most_passes, rows, true);
+  plan.duration = std::min(scene.duration, longest);
+  return plan;
+}
+
+void check_map_request(const Scene& scene, const StabilityRequest& request) {
+  for (const MapMethod& method : request.methods)
+    map_variant(scene.description, request.plan.axes->columns, request.plan.columns.front(),
+                *find_method(method.settings.method));
+}
+
+StabilityMaps make_stability_maps(const Scene& scene, const StabilityRequest& request,
+                                  const std::filesystem::path& folder, Progress& progress,
+                                  const StopTest& stop) {
+  check_map_request(scene, request);
+  const std::string inputs = inputs_of(scene, request.plan);
+  CaseStore store(file_of(folder, request.shard), inputs, request.overwrite);
+  if (request.shard.all()) take_over_shards(store, folder, inputs, request.overwrite);
+  const bool whole = !request.run || Sweep(scene, request, store, progress, stop).run();
+  StabilityMaps maps = gather(request, store);
+  maps.stopped = !whole;
+  return maps;
+}
+
+}  // namespace taut
