@@ -48,10 +48,14 @@ Json measures_to_json(const RunMeasures& measures, const Model& model) {
           {"limit_excess", measures.limit_excess},
           {"penetration", measures.penetration},
           {"broken_links", measures.broken_links},
-          {"rounds", measures.counts.rounds},
-          {"link_solves", measures.counts.link_solves},
-          {"factorisations", measures.counts.factorisations},
-          {"halvings", measures.counts.halvings}};
+          {"rounds", measures.report.counts.rounds},
+          {"link_solves", measures.report.counts.link_solves},
+          {"factorisations", measures.report.counts.factorisations},
+          {"halvings", measures.report.counts.halvings},
+          {"halved_steps", measures.report.halved_steps},
+          {"deepest_halving", measures.report.deepest_halving},
+          {"first_halved_at", measures.report.first_halved_at},
+          {"last_halved_at", measures.report.last_halved_at}};
 }
 
 }  // namespace taut

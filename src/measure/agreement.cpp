@@ -8,10 +8,10 @@
 #include "base/failure.h"
 #include "measure/cost.h"
 #include "measure/method_variants.h"
-#include "model/measures.h"
-#include "motion/sampled_run.h"
 #include "measure/work_precision.h"
+#include "model/measures.h"
 #include "model/parts.h"
+#include "motion/simulate.h"
 
 namespace taut {
 namespace {
@@ -48,9 +48,9 @@ std::optional<Opinion> opinion_of(const Model& model, const State& start, const 
       break;
     try {
       SampledRun run =
-          sampled_run(model, start, settings_at(curve, rate, passes.fine), times, chart_guard, stop);
-      work = predicted_seconds(model, curve.settings.method, run.report, rate * horizon);
-      if (run.diverged) continue;
+          sampled_run(model, start, settings_at(curve, rate, passes.fine), times, chart_policy, stop);
+      work = predicted_seconds(model, curve.settings.method, run.report.counts, rate * horizon);
+      if (run.failed()) continue;
       opinion.coarse = std::move(opinion.fine);
       opinion.fine = std::move(run.states);
       opinion.rate = rate;
@@ -62,7 +62,7 @@ std::optional<Opinion> opinion_of(const Model& model, const State& start, const 
   if (opinion.coarse.empty()) return std::nullopt;
   if (curve.relaxes && passes.coarse != passes.fine)
     opinion.coarse = sampled_run(model, start, settings_at(curve, 0.5 * opinion.rate, passes.coarse), times,
-                                 chart_guard, stop)
+                                 chart_policy, stop)
                          .states;
   if (opinion.coarse.size() < times.size()) return std::nullopt;
   return opinion;
@@ -213,7 +213,7 @@ std::vector<Opinion> opinions_of(const Model& model, const State& start, const s
                                  double most_seconds, const StopTest& stop) {
   const bool rigid = has_rigid_links(model);
   std::vector<Opinion> opinions;
-  for (const Curve& curve : curves_for(model).curves) {
+  for (const Curve& curve : curves_for(model, start).curves) {
     // Without rigid links these two are one method, step by step.
     if (!rigid && curve.settings.method == "rattle") continue;
     if (auto opinion = opinion_of(model, start, curve, times, most_seconds, stop))

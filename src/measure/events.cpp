@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "model/measures.h"
-#include "motion/advance.h"
 #include "methods/registry.h"
+#include "model/measures.h"
+#include "motion/run.h"
 
 namespace taut {
 namespace {
@@ -40,19 +40,16 @@ std::optional<Event> first_event(const Model& model, const State& start, double 
   if (!has_events(model)) return std::nullopt;
   const Model calm = without_events(model);
   const Settings settings = complete_settings({"xpbd", {{"steps_per_second", rate}, {"passes", 1.0}}});
-  const Method& method = *find_method(settings.method);
-  const auto stepper = method.make(model, settings), calm_stepper = method.make(calm, settings);
-  stepper->links_changed(start);
-  calm_stepper->links_changed(start);
+  Run run(model, start, settings), calm_run(calm, start, settings);
   const double allowed = alike * scene_size(model, start);
-  State state = start, calm_state = start;
-  for (std::int64_t step = 1; static_cast<double>(step - 1) / rate < horizon; ++step) {
-    advance(*stepper, model, state, 1.0 / rate);
-    advance(*calm_stepper, calm, calm_state, 1.0 / rate);
-    state.time = calm_state.time = static_cast<double>(step) / rate;
+  while (run.state().time < horizon) {
+    for (std::int64_t step = 0; step < interval; ++step) {
+      run.step();
+      calm_run.step();
+    }
     // Written so that what is not a number counts as different.
-    if (step % interval == 0 && !(position_error(state, calm_state) <= allowed))
-      return Event{state.time, cause(model, state)};
+    if (run.ended() || !(position_error(run.state(), calm_run.state()) <= allowed))
+      return Event{run.state().time, cause(model, run.state())};
   }
   return std::nullopt;
 }

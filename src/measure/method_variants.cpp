@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "base/failure.h"
 #include "methods/registry.h"
 #include "model/parts.h"
 
@@ -43,15 +42,11 @@ std::vector<Curve> variants(const Model& model, const Method& method, std::size_
   return curves;
 }
 
-// Why the method makes no stepper for the model even with the finest steps; empty when it does.
-std::string refusal(const Model& model, const Method& method, const Curve& curve) {
+// Why the method refuses the model even with the finest steps; empty when it doesn't.
+std::string refusal(const Model& model, const State& start, const Method& method, const Curve& curve) {
   const double finest = find_param(method, "steps_per_second")->max;
-  try {
-    method.make(model, settings_at(curve, finest, 1));
-  } catch (const BadRequest& problem) {
-    return problem.what();
-  }
-  return {};
+  const std::vector<std::string> problems = refusals(model, start, settings_at(curve, finest, 1));
+  return problems.empty() ? std::string() : problems.front();
 }
 
 void require_known(const std::vector<std::string>& methods) {
@@ -60,7 +55,7 @@ void require_known(const std::vector<std::string>& methods) {
 
 }  // namespace
 
-Curves curves_for(const Model& model, const std::vector<std::string>& methods) {
+Curves curves_for(const Model& model, const State& start, const std::vector<std::string>& methods) {
   require_known(methods);
   Curves result;
   for (std::size_t place = 0; place < all_methods().size(); ++place) {
@@ -78,7 +73,7 @@ Curves curves_for(const Model& model, const std::vector<std::string>& methods) {
       continue;
     }
     for (Curve& curve : variants(model, method, place)) {
-      if (const std::string problem = refusal(model, method, curve); !problem.empty())
+      if (const std::string problem = refusal(model, start, method, curve); !problem.empty())
         result.omissions.push_back(fmt::format("{}: {}", curve.name, problem));
       else
         result.curves.push_back(std::move(curve));

@@ -6,9 +6,9 @@
 
 #include "measure/cost.h"
 #include "measure/method_variants.h"
-#include "model/measures.h"
 #include "measure/work_precision.h"
 #include "methods/registry.h"
+#include "model/measures.h"
 
 namespace taut {
 namespace {
@@ -105,7 +105,7 @@ Plan make_plan(const Model& model, const State& start, const Truth& truth, doubl
   const std::vector<std::string> methods =
       only.empty() ? std::vector<std::string>{} : std::vector{std::string(only)};
   const Search found = search(model, start, only_kind(truth, kind), kind, safety * wanted,
-                              duration / truth.horizon(), curves_for(model, methods).curves, stop);
+                              duration / truth.horizon(), curves_for(model, start, methods).curves, stop);
   if (found.best.error == infinity) return plan_without_truth(truth, wanted);
   const Tried& chosen = found.cheapest ? *found.cheapest : found.best;
 

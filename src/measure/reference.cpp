@@ -10,8 +10,8 @@
 #include "measure/cost.h"
 #include "measure/events.h"
 #include "measure/explicit_integrator.h"
-#include "model/measures.h"
 #include "methods/registry.h"
+#include "model/measures.h"
 #include "motion/simulate.h"
 
 namespace taut {
@@ -40,8 +40,8 @@ std::vector<State> run_rattle(const Model& model, const State& start, const std:
       const double steps = std::ceil(span * rate * (1.0 - 1e-12));
       if (steps > 0.0) {
         settings.values["steps_per_second"] = std::max(1.0, steps / span);
-        const StepReport report = simulate(model, state, settings, static_cast<std::int64_t>(steps));
-        if (report.status != StepStatus::done) return {};
+        const RunReport report = simulate(model, state, settings, static_cast<std::int64_t>(steps));
+        if (report.end != RunEnd::none) return {};
         state.time = time;
       }
       states.push_back(state);

@@ -9,8 +9,7 @@
 #include "base/failure.h"
 #include "measure/exact.h"
 #include "model/measures.h"
-#include "motion/advance.h"
-#include "methods/registry.h"
+#include "motion/run.h"
 
 namespace taut {
 namespace {
@@ -102,27 +101,21 @@ RestShape settle(const Model& model, const State& start, const Settings& setting
   if (from == infinity) throw BadRequest("a scene with a pin that swings for ever never comes to rest");
   Model calmed = model;
   calmed.drag = std::max(model.drag, settling.least_drag);
-  const Settings complete = complete_settings(settings);
-  const double rate = complete.steps_per_second();
-  const auto stepper = find_method(complete.method)->make(calmed, complete);
+  Run run(calmed, start, settings);
+  const double rate = run.settings().steps_per_second();
   RestShape shape;
-  shape.state = start;
-  stepper->links_changed(shape.state);
   const double allowed = settling.most_movement * scene_size(model, start);
   const auto window = static_cast<std::int64_t>(std::max(1.0, std::round(settling.window * rate)));
-  for (std::int64_t step = 0; !shape.at_rest && shape.state.time < from + settling.most_time;) {
+  while (!shape.at_rest && run.state().time < from + settling.most_time) {
     if (stop && stop()) break;
-    const State before = shape.state;
-    for (const std::int64_t end = step + window; step < end;) {
-      const StepReport report = advance(*stepper, calmed, shape.state, 1.0 / rate);
-      if (report.status != StepStatus::done)
-        throw RunFailure(failure_sentence(calmed, shape.state, report, complete.method, 1.0 / rate));
-      shape.state.time = start.time + static_cast<double>(++step) / rate;
-    }
-    shape.largest_movement = position_error(shape.state, before);
+    const State before = run.state();
+    for (const std::int64_t end = run.steps() + window; run.steps() < end;)
+      if (!run.step()) throw RunFailure(run.failure());
+    shape.largest_movement = position_error(run.state(), before);
     shape.at_rest = before.time >= from && shape.largest_movement <= allowed;
   }
-  shape.how = fmt::format("{} at {:.6g} steps/s, drag {:.4g}/s", complete.method, rate, calmed.drag);
+  shape.state = run.state();
+  shape.how = fmt::format("{} at {:.6g} steps/s, drag {:.4g}/s", run.settings().method, rate, calmed.drag);
   return shape;
 }
 

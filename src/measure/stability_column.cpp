@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/measures.h"
 #include "measure/reference.h"
 #include "methods/registry.h"
+#include "model/measures.h"
 #include "motion/simulate.h"
 
 namespace taut {
@@ -65,7 +65,7 @@ bool stretch_remains(double passes, const Built& variant, const Settings& given)
   Settings settings = given;
   settings.values["steps_per_second"] = frame_rate;
   settings.values["passes"] = std::round(passes);
-  simulate(model, state, settings, 1, {.on = false});
+  simulate(model, state, settings, 1, unguarded);
   return link_strain(model, state).largest > shrinkage * stretch;
 }
 

@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "base/failure.h"
-#include "model/measures.h"
-#include "motion/advance.h"
 #include "methods/frequency.h"
 #include "methods/registry.h"
+#include "model/measures.h"
+#include "motion/run.h"
 
 namespace taut {
 namespace {
@@ -16,22 +16,17 @@ constexpr double first_rate = 1000.0;  // steps/s
 constexpr std::int64_t most_steps = 400'000;
 
 // The largest tensions of one run; nothing where a step of it can't be solved.
-std::optional<std::vector<double>> tensions_of_run(const Model& model, State state, double duration,
+std::optional<std::vector<double>> tensions_of_run(const Model& model, const State& start, double duration,
                                                    double rate) {
   const Settings settings = complete_settings({"rattle", {{"steps_per_second", rate}}});
-  const Method& method = *find_method(settings.method);
-  if (!capability_problems(model, method).empty()) return std::nullopt;
+  if (!refusals(model, start, settings).empty()) return std::nullopt;  // springs too stiff for this step
+  Run run(model, start, settings);
   std::vector<double> largest(model.links.size(), 0.0);
-  try {
-    const auto stepper = method.make(model, settings);
-    stepper->links_changed(state);
-    const auto steps = static_cast<std::int64_t>(std::ceil(duration * rate));
-    for (std::int64_t step = 0; step < steps; ++step) {
-      if (advance(*stepper, model, state, 1.0 / rate).status != StepStatus::done) return std::nullopt;
-      for (std::size_t i = 0; i < largest.size(); ++i) largest[i] = std::max(largest[i], state.tension[i]);
-    }
-  } catch (const BadRequest&) {
-    return std::nullopt;  // springs too stiff for this step
+  const auto steps = static_cast<std::int64_t>(std::ceil(duration * rate));
+  while (run.steps() < steps) {
+    if (!run.step()) return std::nullopt;
+    const std::vector<double>& tension = run.state().tension;
+    for (std::size_t i = 0; i < largest.size(); ++i) largest[i] = std::max(largest[i], tension[i]);
   }
   return largest;
 }

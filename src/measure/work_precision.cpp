@@ -8,7 +8,7 @@
 
 #include "base/failure.h"
 #include "measure/cost.h"
-#include "motion/sampled_run.h"
+#include "motion/simulate.h"
 
 namespace taut {
 namespace {
@@ -32,10 +32,10 @@ JudgedRun judge_run(const Model& model, const State& start, const Truth& truth, 
                     const StopTest& stop) {
   JudgedRun judged;
   try {
-    const SampledRun run = sampled_run(model, start, settings, truth.times, chart_guard, stop);
-    judged.counts = run.report;
-    judged.diverged = run.diverged;
-    if (run.diverged)
+    const SampledRun run = sampled_run(model, start, settings, truth.times, chart_policy, stop);
+    judged.counts = run.report.counts;
+    judged.diverged = run.failed();
+    if (judged.diverged)
       judged.trouble = fmt::format("diverged at {:.3g} s", run.reached);
     else
       judged.errors = judge(model, start, truth, run.states);

@@ -1,7 +1,7 @@
 #include "methods/acceleration.h"
 
-#include "forces/forces.h"
 #include "direct/link_system.h"
+#include "forces/forces.h"
 #include "forces/springs.h"
 
 namespace taut {

@@ -17,6 +17,7 @@
 #include <array>
 #include <cmath>
 
+#include "file_order_stepper.h"
 #include "forces/forces.h"
 #include "methods/method.h"
 #include "parameters.h"
@@ -24,18 +25,18 @@
 namespace taut {
 namespace {
 
-class EulerStepper final : public Stepper {
+class EulerStepper final : public FileOrderStepper {
  public:
   EulerStepper(const Model& model, int passes, bool keep_velocities)
       : model_(model), passes_(passes), keep_velocities_(keep_velocities), links_(solvable_links(model)) {}
 
+ private:
   void links_changed(const State&) override {}
-  bool breaks_within_step() const override { return true; }
 
-  StepReport step(State& state, double h) override {
+  StepReport make_step(State& state, double h, double end_time) override {
     State next = state;
     StepReport report;
-    next.time += h;
+    next.time = end_time;
     kick(model_, next.time, h, state.velocity, next.velocity);
     blow(model_, state, state.position, state.velocity, next.time, h, next.velocity);
     drift(h, state.position, next.velocity, next.position);
@@ -55,7 +56,6 @@ class EulerStepper final : public Stepper {
     return report;
   }
 
- private:
   void relax(State& state, StepReport& report) const {
     for (const Index link : links_) {
       if (state.broken(link)) continue;
@@ -107,7 +107,7 @@ constexpr std::array params{
           "kept: links leave velocities alone, as the text has it; derived: v = Δx/h"},
 };
 
-std::unique_ptr<Stepper> make(const Model& model, const Settings& settings) {
+std::unique_ptr<Stepper> make(const Model& model, const Settings& settings, const Execution&) {
   return std::make_unique<EulerStepper>(model, static_cast<int>(settings.number("passes")),
                                         settings.choice("velocities") == "kept");
 }
@@ -119,6 +119,7 @@ Method euler_method() {
   can.limit = StepLimit::kept_velocities;
   can.plane = true;
   can.break_stretch = true;
+  can.breaks_within_step = true;
   can.between_steps = Interpolation::linear;
   return {"euler",
           "semi-implicit Euler, links set in place (the base line)",

@@ -13,23 +13,24 @@
 #include <array>
 #include <optional>
 
-#include "direct/fast_projection.h"
-#include "forces/forces.h"
-#include "direct/implicit_net.h"
 #include "contact/joint_resistance.h"
+#include "direct/fast_projection.h"
+#include "direct/implicit_net.h"
 #include "direct/link_topology.h"
+#include "file_order_stepper.h"
+#include "forces/forces.h"
 #include "methods/method.h"
 #include "parameters.h"
-#include "solve_guard.h"
 
 namespace taut {
 namespace {
 
-class NewtonStepper final : public Stepper {
+class NewtonStepper final : public SwappingStepper {
  public:
   NewtonStepper(const Model& model, double steps_per_second)
-      : model_(model), nominal_step_(1.0 / steps_per_second), watch_(model), joints_(model) {}
+      : model_(model), nominal_step_(1.0 / steps_per_second), joints_(model) {}
 
+ private:
   void links_changed(const State& state) override {
     std::vector<Index> whole;
     for (const Index link : solvable_links(model_))
@@ -42,11 +43,8 @@ class NewtonStepper final : public Stepper {
       net_.emplace(model_, whole, nominal_step_);
   }
 
-  StepReport step(State& state, double h) override {
-    const double end_time = state.time + h;
-    velocity_ = state.velocity;
-    position_ = state.position;
-    tension_ = state.tension;
+  StepReport make_step(State& state, double h, double end_time) override {
+    copy_to_work(state);
     kick(model_, end_time, h, state.velocity, velocity_);
     blow(model_, state, state.position, state.velocity, end_time, h, velocity_);
     joints_.act(state, h, 1.0, velocity_);
@@ -60,27 +58,21 @@ class NewtonStepper final : public Stepper {
 
     difference_quotient(h, state.position, position_, velocity_);
     place_pins(model_, end_time, position_, velocity_);
-    watch_.take_over(state, position_, velocity_, tension_, h, report);
+    take_over(state, end_time, report);
     if (report.status == StepStatus::done) joints_.keep(position_, state);
     return report;
   }
 
-  void watch_energy(bool on) override { watch_.set(on); }
-
- private:
   const Model& model_;
   double nominal_step_;  // s
-  EnergyWatch watch_;
   JointResistance joints_;
   std::optional<FastProjection> projection_;  // for chains, trees, and whatever has limits …
   std::optional<ImplicitNet> net_;            // … or this one for nets
-  Vectors position_, velocity_;
-  std::vector<double> tension_;
 };
 
 constexpr std::array params{steps_per_second_param(240.0)};
 
-std::unique_ptr<Stepper> make(const Model& model, const Settings& settings) {
+std::unique_ptr<Stepper> make(const Model& model, const Settings& settings, const Execution&) {
   return std::make_unique<NewtonStepper>(model, settings.steps_per_second());
 }
 
@@ -88,6 +80,7 @@ std::unique_ptr<Stepper> make(const Model& model, const Settings& settings) {
 
 Method newton_method() {
   Capabilities can;
+  can.takes_steps_back = true;
   can.stiffness = true;
   can.limits = true;
   can.break_stretch = true;

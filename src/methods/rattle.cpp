@@ -26,31 +26,27 @@
 #include <array>
 #include <cmath>
 
+#include "contact/joint_resistance.h"
 #include "direct/active_limits.h"
-#include "base/failure.h"
+#include "direct/link_system.h"
+#include "direct/newton_rounds.h"
+#include "file_order_stepper.h"
 #include "forces/forces.h"
 #include "forces/half_kicks.h"
-#include "contact/joint_resistance.h"
-#include "direct/link_system.h"
 #include "methods/method.h"
 #include "parameters.h"
-#include "solve_guard.h"
 
 namespace taut {
 namespace {
 
 constexpr int most_rounds = 40;
 
-class RattleStepper final : public Stepper {
+class RattleStepper final : public SwappingStepper {
  public:
-  RattleStepper(const Model& model, int order, double steps_per_second)
-      : model_(model),
-        order_(order),
-        kicks_(model, "rattle", 1.0 / steps_per_second, 1.0),
-        limits_(model),
-        joints_(model),
-        watch_(model) {}
+  RattleStepper(const Model& model, int order)
+      : model_(model), order_(order), kicks_(model, 1.0), limits_(model), joints_(model) {}
 
+ private:
   void links_changed(const State& state) override {
     std::vector<Index> rigid;
     for (const Index link : solvable_links(model_))
@@ -61,36 +57,32 @@ class RattleStepper final : public Stepper {
     kicks_.links_changed(state);
   }
 
-  StepReport step(State& state, double h) override {
-    position_ = state.position;
-    velocity_ = state.velocity;
-    tension_ = state.tension;
+  StepReport make_step(State& state, double h, double end_time) override {
+    copy_to_work(state);
     StepReport report;
-    double time = state.time;
     const double outer =
         1.0 / (2.0 - std::cbrt(2.0));  // Yoshida 1990: three steps of order 2 make one of order 4
     const std::array composition{outer, 1.0 - 2.0 * outer, outer};
     if (order_ == 2) {
-      sub_step(state, time, h, report);
+      sub_step(state, state.time, h, end_time, report);
     } else {
+      double time = state.time;
       for (const double share : composition) {
-        sub_step(state, time, share * h, report);
-        time += share * h;
+        const double next = &share == &composition.back() ? end_time : time + share * h;
+        sub_step(state, time, share * h, next, report);
+        time = next;
         if (report.status != StepStatus::done) return report;
       }
     }
     if (report.status != StepStatus::done) return report;
-    watch_.take_over(state, position_, velocity_, tension_, h, report);
+    take_over(state, end_time, report);
     if (report.status == StepStatus::done) joints_.keep(position_, state);
     return report;
   }
 
-  void watch_energy(bool on) override { watch_.set(on); }
-
- private:
-  // One step of order 2 on position_ and velocity_.
-  void sub_step(const State& start, double time, double h, StepReport& report) {
-    const double half = 0.5 * h, end_time = time + h;
+  // One step of order 2, from a time to another, on position_ and velocity_.
+  void sub_step(const State& start, double time, double h, double end_time, StepReport& report) {
+    const double half = 0.5 * h;
     const SystemLinks& links = system_.links;
     link_vectors(links, position_, start_direction_);
     start_position_ = position_;
@@ -213,13 +205,12 @@ class RattleStepper final : public Stepper {
   HalfKicks kicks_;
   ActiveLimits limits_;
   JointResistance joints_;
-  EnergyWatch watch_;
   LinkSystem system_;
   std::vector<double> no_compliance_;
   Vectors factored_along_;  // directions whose symmetric matrix a net's factor holds
-  Vectors start_position_, position_, velocity_, half_velocity_;
+  Vectors start_position_, half_velocity_;
   Vectors start_direction_, direction_;
-  std::vector<double> residual_, tension_;
+  std::vector<double> residual_;
   double worst_ = 0.0;
 };
 
@@ -230,15 +221,17 @@ constexpr std::array params{
           "order of accuracy; 4 makes three steps of order 2 a step, the middle one backwards"},
 };
 
-std::unique_ptr<Stepper> make(const Model& model, const Settings& settings) {
-  const int order = settings.choice("order") == "4" ? 4 : 2;
+std::unique_ptr<Stepper> make(const Model& model, const Settings& settings, const Execution&) {
+  return std::make_unique<RattleStepper>(model, settings.choice("order") == "4" ? 4 : 2);
+}
+
+std::string refusal(const Model& model, const State& start, const Settings& settings) {
   bool damped = model.drag > 0.0 || model.wind || !model.breakable_links.empty();
   for (const double damping : model.links.damping) damped = damped || damping > 0.0;
-  if (order == 4 && (damped || !model.limits.empty() || !model.joints.empty()))
-    throw BadRequest(
-        "method rattle of order 4 has a step that runs backwards in time, which drag, damping, wind, "
-        "breaking links and stops do not: use order 2 for this scene");
-  return std::make_unique<RattleStepper>(model, order, settings.steps_per_second());
+  if (settings.choice("order") == "4" && (damped || !model.limits.empty() || !model.joints.empty()))
+    return "method rattle of order 4 has a step that runs backwards in time, which drag, damping, wind, "
+           "breaking links and stops do not: use order 2 for this scene";
+  return too_stiff(model, start, settings);
 }
 
 }  // namespace
@@ -246,6 +239,7 @@ std::unique_ptr<Stepper> make(const Model& model, const Settings& settings) {
 Method rattle_method() {
   Capabilities can;
   can.limit = StepLimit::sideways_vibration;
+  can.takes_steps_back = true;
   can.stiffness = true;
   can.limits = true;
   can.break_stretch = true;
@@ -255,7 +249,8 @@ Method rattle_method() {
           "Andersen, Rattle (1983); Yoshida (1990)",
           params,
           can,
-          make};
+          make,
+          refusal};
 }
 
 }  // namespace taut

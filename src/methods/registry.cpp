@@ -127,4 +127,13 @@ std::vector<std::string> capability_problems(const Model& model, const Method& m
   return problems;
 }
 
+std::vector<std::string> refusals(const Model& model, const State& start, const Settings& settings) {
+  const Method& method = *find_method(settings.method);
+  std::vector<std::string> problems = capability_problems(model, method);
+  if (problems.empty() && method.refusal != nullptr)
+    if (std::string problem = method.refusal(model, start, settings); !problem.empty())
+      problems.push_back(std::move(problem));
+  return problems;
+}
+
 }  // namespace taut

@@ -18,30 +18,30 @@
 #include <array>
 #include <cmath>
 
+#include "contact/joint_resistance.h"
+#include "direct/link_system.h"
+#include "file_order_stepper.h"
 #include "forces/forces.h"
 #include "forces/half_kicks.h"
-#include "contact/joint_resistance.h"
-#include "relax/limit_solver.h"
-#include "relax/link_order.h"
-#include "direct/link_system.h"
 #include "methods/method.h"
 #include "parameters.h"
-#include "solve_guard.h"
+#include "relax/limit_solver.h"
+#include "relax/link_order.h"
 
 namespace taut {
 namespace {
 
-class ShakeStepper final : public Stepper {
+class ShakeStepper final : public SwappingStepper {
  public:
-  ShakeStepper(const Model& model, int passes, double tolerance, double steps_per_second)
+  ShakeStepper(const Model& model, int passes, double tolerance)
       : model_(model),
         passes_(passes),
         tolerance_(tolerance),
-        kicks_(model, "shake", 1.0 / steps_per_second, 2.0),
+        kicks_(model, 2.0),
         limits_(model),
-        watch_(model),
         joints_(model) {}
 
+ private:
   void links_changed(const State& state) override {
     std::vector<Index> rigid;
     for (const Index link : coloured_order(model_, state).links)
@@ -50,11 +50,9 @@ class ShakeStepper final : public Stepper {
     kicks_.links_changed(state);
   }
 
-  StepReport step(State& state, double h) override {
-    const double end_time = state.time + h, half = 0.5 * h;
-    velocity_ = state.velocity;
-    position_ = state.position;
-    tension_ = state.tension;
+  StepReport make_step(State& state, double h, double end_time) override {
+    const double half = 0.5 * h;
+    copy_to_work(state);
     link_vectors(links_, state.position, start_direction_);
     answer_half_kick(state, half);
     kicks_.start(state, state.time, half, state.position, state.velocity, met_velocity_, kicked_);
@@ -72,14 +70,11 @@ class ShakeStepper final : public Stepper {
     kicks_.end(state, end_time, half, position_, kicked_, velocity_, tension_);
     for (std::size_t i = 0; i < links_.size(); ++i)
       tension_[links_.link[i]] = multipliers_[i] * start_direction_.at(i).norm() / (h * h);
-    watch_.take_over(state, position_, velocity_, tension_, h, report);
+    take_over(state, end_time, report);
     if (report.status == StepStatus::done) joints_.keep(position_, state);
     return report;
   }
 
-  void watch_energy(bool on) override { watch_.set(on); }
-
- private:
   // The velocities at the start of a step as the links would have them.
   void answer_half_kick(const State& state, double half) {
     met_velocity_ = state.velocity;
@@ -125,11 +120,10 @@ class ShakeStepper final : public Stepper {
   double tolerance_;
   HalfKicks kicks_;
   LimitSolver limits_;
-  EnergyWatch watch_;
   JointResistance joints_;
   SystemLinks links_;
-  Vectors position_, velocity_, kicked_, met_velocity_, start_direction_;
-  std::vector<double> multipliers_, tension_, answer_;
+  Vectors kicked_, met_velocity_, start_direction_;
+  std::vector<double> multipliers_, answer_;
 };
 
 constexpr std::array params{
@@ -145,9 +139,13 @@ constexpr std::array params{
           "passes end early once every squared length was within this share of its own"},
 };
 
-std::unique_ptr<Stepper> make(const Model& model, const Settings& settings) {
+std::unique_ptr<Stepper> make(const Model& model, const Settings& settings, const Execution&) {
   return std::make_unique<ShakeStepper>(model, static_cast<int>(settings.number("passes")),
-                                        settings.number("tolerance"), settings.steps_per_second());
+                                        settings.number("tolerance"));
+}
+
+std::string refusal(const Model& model, const State& start, const Settings& settings) {
+  return too_stiff(model, start, settings);
 }
 
 }  // namespace
@@ -155,6 +153,7 @@ std::unique_ptr<Stepper> make(const Model& model, const Settings& settings) {
 Method shake_method() {
   Capabilities can;
   can.half_kicked = true;
+  can.takes_steps_back = true;
   can.limit = StepLimit::sideways_vibration;
   can.stiffness = true;
   can.limits = true;
@@ -165,7 +164,8 @@ Method shake_method() {
           "Ryckaert, Ciccotti and Berendsen (1977)",
           params,
           can,
-          make};
+          make,
+          refusal};
 }
 
 }  // namespace taut

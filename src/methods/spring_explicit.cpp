@@ -8,30 +8,29 @@
 
 #include <array>
 
+#include "file_order_stepper.h"
 #include "forces/forces.h"
+#include "forces/springs.h"
 #include "methods/method.h"
 #include "parameters.h"
-#include "solve_guard.h"
-#include "forces/springs.h"
 
 namespace taut {
 namespace {
 
-class SpringExplicitStepper final : public Stepper {
+class SpringExplicitStepper final : public SwappingStepper {
  public:
-  explicit SpringExplicitStepper(const Model& model) : model_(model), watch_(model) {}
+  explicit SpringExplicitStepper(const Model& model) : model_(model) {}
 
+ private:
   void links_changed(const State& state) override { springs_ = gather_springs(model_, state); }
 
-  StepReport step(State& state, double h) override {
-    velocity_ = state.velocity;
-    position_ = state.position;
-    tension_ = state.tension;
+  StepReport make_step(State& state, double h, double end_time) override {
+    copy_to_work(state);
     kick_by_springs(springs_, h, state.position, state.velocity, velocity_, spring_tension_);
-    blow(model_, state, state.position, state.velocity, state.time + h, h, velocity_);
-    kick(model_, state.time + h, h, velocity_, velocity_);
+    blow(model_, state, state.position, state.velocity, end_time, h, velocity_);
+    kick(model_, end_time, h, velocity_, velocity_);
     drift(h, state.position, velocity_, position_);
-    place_pins(model_, state.time + h, position_, velocity_);
+    place_pins(model_, end_time, position_, velocity_);
     spring_tensions(springs_, position_, velocity_, spring_tension_);
     for (std::size_t i = 0; i < spring_tension_.size(); ++i)
       tension_[springs_.links.link[i]] = spring_tension_[i];
@@ -39,23 +38,18 @@ class SpringExplicitStepper final : public Stepper {
     StepReport report;
     report.rounds = 1;
     report.link_solves = static_cast<std::int64_t>(spring_tension_.size());
-    watch_.take_over(state, position_, velocity_, tension_, h, report);
+    take_over(state, end_time, report);
     return report;
   }
 
-  void watch_energy(bool on) override { watch_.set(on); }
-
- private:
   const Model& model_;
-  EnergyWatch watch_;
   Springs springs_;
-  Vectors position_, velocity_;
-  std::vector<double> tension_, spring_tension_;
+  std::vector<double> spring_tension_;
 };
 
 constexpr std::array params{steps_per_second_param(2400.0)};
 
-std::unique_ptr<Stepper> make(const Model& model, const Settings&) {
+std::unique_ptr<Stepper> make(const Model& model, const Settings&, const Execution&) {
   return std::make_unique<SpringExplicitStepper>(model);
 }
 

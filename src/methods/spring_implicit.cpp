@@ -15,11 +15,12 @@
 #include <array>
 #include <cmath>
 
+#include "direct/newton_rounds.h"
+#include "file_order_stepper.h"
 #include "forces/forces.h"
+#include "forces/springs.h"
 #include "methods/method.h"
 #include "parameters.h"
-#include "solve_guard.h"
-#include "forces/springs.h"
 
 namespace taut {
 namespace {
@@ -27,10 +28,9 @@ namespace {
 using Matrix3 = Eigen::Matrix3d;
 constexpr int most_rounds = 60;
 
-class SpringImplicitStepper final : public Stepper {
+class SpringImplicitStepper final : public SwappingStepper {
  public:
-  explicit SpringImplicitStepper(const Model& model)
-      : model_(model), watch_(model), unknown_(model.masses.size(), -1) {
+  explicit SpringImplicitStepper(const Model& model) : model_(model), unknown_(model.masses.size(), -1) {
     for (std::size_t i = 0; i < model.masses.size(); ++i)
       if (!model.masses.pinned(i)) {
         unknown_[i] = 3 * static_cast<Eigen::Index>(free_.size());
@@ -38,13 +38,14 @@ class SpringImplicitStepper final : public Stepper {
       }
   }
 
+ private:
   void links_changed(const State& state) override {
     springs_ = gather_springs(model_, state);
     analysed_ = false;
   }
 
-  StepReport step(State& state, double h) override {
-    const double end_time = state.time + h;
+  StepReport make_step(State& state, double h, double end_time) override {
+    copy_to_work(state);
     StepReport report;
     report.rounds = 0;
     // What the masses would do without springs is both the first guess and the constant part of F.
@@ -57,17 +58,13 @@ class SpringImplicitStepper final : public Stepper {
 
     difference_quotient(h, state.position, position_, velocity_ = free_velocity_);
     place_pins(model_, end_time, position_, velocity_);
-    tension_ = state.tension;
     spring_tensions(springs_, position_, velocity_, spring_tension_);
     for (std::size_t i = 0; i < spring_tension_.size(); ++i)
       tension_[springs_.links.link[i]] = spring_tension_[i];
-    watch_.take_over(state, position_, velocity_, tension_, h, report);
+    take_over(state, end_time, report);
     return report;
   }
 
-  void watch_energy(bool on) override { watch_.set(on); }
-
- private:
   // Newton's method until no mass moves by more than the tolerance on lengths.
   bool solve(const Vectors& start, double h, StepReport& report) {
     if (springs_.empty()) return true;
@@ -142,22 +139,21 @@ class SpringImplicitStepper final : public Stepper {
   }
 
   const Model& model_;
-  EnergyWatch watch_;
   std::vector<Eigen::Index> unknown_;  // first of a mass's three unknowns; −1 for a pin
   std::vector<Index> free_;
   Springs springs_;
   bool analysed_ = false;
-  Vectors inertial_, free_velocity_, position_, velocity_;
+  Vectors inertial_, free_velocity_;
   std::vector<Eigen::Triplet<double>> entries_;
   Eigen::SparseMatrix<double> matrix_;
   Eigen::VectorXd right_side_;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
-  std::vector<double> tension_, spring_tension_;
+  std::vector<double> spring_tension_;
 };
 
 constexpr std::array params{steps_per_second_param(240.0)};
 
-std::unique_ptr<Stepper> make(const Model& model, const Settings&) {
+std::unique_ptr<Stepper> make(const Model& model, const Settings&, const Execution&) {
   return std::make_unique<SpringImplicitStepper>(model);
 }
 
@@ -165,6 +161,7 @@ std::unique_ptr<Stepper> make(const Model& model, const Settings&) {
 
 Method spring_implicit_method() {
   Capabilities can;
+  can.takes_steps_back = true;
   can.stiffness = true;
   can.rigid = false;
   can.break_stretch = true;

@@ -13,27 +13,29 @@
 #include <cmath>
 #include <utility>
 
-#include "contact/limits_and_contacts.h"
-#include "forces/forces.h"
 #include "contact/joint_resistance.h"
-#include "relax/link_order.h"
+#include "contact/limits_and_contacts.h"
+#include "file_order_stepper.h"
+#include "forces/forces.h"
 #include "methods/method.h"
 #include "parameters.h"
+#include "relax/link_order.h"
 
 namespace taut {
 namespace {
 
-class VerletStepper final : public Stepper {
+class VerletStepper final : public FileOrderStepper {
  public:
   VerletStepper(const Model& model, int passes)
       : model_(model), passes_(passes), beside_(model), joints_(model) {}
 
+ private:
   void links_changed(const State& state) override { order_ = coloured_order(model_, state); }
 
-  StepReport step(State& state, double h) override {
+  StepReport make_step(State& state, double h, double end_time) override {
     start_ = state.position;
     velocity_ = state.velocity;
-    const double start_time = state.time, end_time = state.time + h;
+    const double start_time = state.time;
     kick(model_, state.time, 0.5 * h, state.velocity, velocity_);
     blow(model_, state, state.position, state.velocity, end_time, h, velocity_);
     joints_.act(state, h, 1.0, velocity_);
@@ -65,7 +67,6 @@ class VerletStepper final : public Stepper {
     return report;
   }
 
- private:
   void relax(Vectors& position) const {
     const Links& links = model_.links;
     const std::vector<double>& inverse_mass = model_.masses.inverse_mass;
@@ -90,7 +91,7 @@ class VerletStepper final : public Stepper {
 
 constexpr std::array params{steps_per_second_param(600.0), passes_param(1.0)};
 
-std::unique_ptr<Stepper> make(const Model& model, const Settings& settings) {
+std::unique_ptr<Stepper> make(const Model& model, const Settings& settings, const Execution&) {
   return std::make_unique<VerletStepper>(model, static_cast<int>(settings.number("passes")));
 }
 

@@ -20,14 +20,14 @@
 #include <utility>
 #include <vector>
 
-#include "base/failure.h"
-#include "contact/limits_and_contacts.h"
-#include "forces/forces.h"
 #include "contact/joint_resistance.h"
-#include "relax/link_order.h"
+#include "contact/limits_and_contacts.h"
+#include "file_order_stepper.h"
+#include "forces/forces.h"
 #include "methods/method.h"
 #include "model/parts.h"
 #include "parameters.h"
+#include "relax/link_order.h"
 #include "relax/xpbd_single.h"
 
 namespace taut {
@@ -66,7 +66,7 @@ double common_weight(const Model& model) {
   return -1.0;
 }
 
-class XpbdStepper final : public Stepper {
+class XpbdStepper final : public FileOrderStepper {
  public:
   XpbdStepper(const Model& model, int passes)
       : model_(model),
@@ -76,6 +76,7 @@ class XpbdStepper final : public Stepper {
         equal_weight_(common_weight(model)),
         equal_inverse_weight_(0.5 / equal_weight_) {}
 
+ private:
   void links_changed(const State& state) override {
     const OrderedLinks order = coloured_order(model_, state);
     flat_ = stays_in_plane(model_, state);
@@ -112,8 +113,8 @@ class XpbdStepper final : public Stepper {
     multipliers_.assign(links_.size(), 0.0);
   }
 
-  StepReport step(State& state, double h) override {
-    const double start_time = state.time, end_time = state.time + h;
+  StepReport make_step(State& state, double h, double end_time) override {
+    const double start_time = state.time;
     start_ = state.position;
     velocity_ = state.velocity;
     kick(model_, end_time, h, state.velocity, velocity_);
@@ -148,7 +149,6 @@ class XpbdStepper final : public Stepper {
     return report;
   }
 
- private:
   // The loops without what the scene does not have. What is left out would multiply by one, or add a zero:
   // the results are the same, bit for bit.
   void solve_all(Vectors& position, double h) {
@@ -256,16 +256,19 @@ constexpr std::array params{
           "of positions and velocities; single shows what rounding does, and is no quicker here"},
 };
 
-std::unique_ptr<Stepper> make(const Model& model, const Settings& settings) {
+std::unique_ptr<Stepper> make(const Model& model, const Settings& settings, const Execution&) {
   const int passes = static_cast<int>(settings.number("passes"));
-  if (settings.choice("precision") == "single") {
-    if (!model.limits.empty() || !model.colliders.empty() || !model.contacts.empty() || model.wind)
-      throw BadRequest(
-          "method xpbd in single precision knows no limits on angles, no solids but the ground, no touching "
-          "bodies and no wind: use precision = \"double\" for this scene");
-    return make_single_xpbd(model, passes);
-  }
+  if (settings.choice("precision") == "single") return make_single_xpbd(model, passes);
   return std::make_unique<XpbdStepper>(model, passes);
+}
+
+std::string refusal(const Model& model, const State&, const Settings& settings) {
+  const bool more = !model.limits.empty() || !model.colliders.empty() || !model.contacts.empty() ||
+                    !model.joints.empty() || model.wind;
+  if (settings.choice("precision") != "single" || !more) return {};
+  return "method xpbd in single precision knows no limits on angles, no joints that resist, no solids but "
+         "the "
+         "ground, no touching bodies and no wind: use precision = \"double\" for this scene";
 }
 
 }  // namespace
@@ -283,7 +286,8 @@ Method xpbd_method() {
           "Macklin et al., XPBD (2016); Small Steps in Physics Simulation (2019)",
           params,
           can,
-          make};
+          make,
+          refusal};
 }
 
 }  // namespace taut

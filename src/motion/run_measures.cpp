@@ -12,21 +12,20 @@ State reported_state(const Model& model, const Capabilities& can, const State& s
   return reported;
 }
 
-RunMeasures measure_run(const Model& model, const State& start, const State& end, const WorkLedger& ledger,
-                        const StepReport& counts) {
+RunMeasures measure_run(const Model& model, const EnergyBase& base, const State& end, const Work& work,
+                        const RunReport& report) {
   RunMeasures measures;
   measures.time = end.time;
   measures.strain = link_strain(model, end);
   for (std::size_t link = 0; link < model.links.size(); ++link)
     if (!end.broken(link)) measures.largest_tension = std::max(measures.largest_tension, end.tension[link]);
-  measures.energy_at_start = energy(model, start);
+  measures.energy_at_start = base.at_start;
   measures.energy = energy(model, end);
-  measures.pin_work = ledger.pins();
-  measures.load_work = ledger.loads();
-  measures.broken_energy = ledger.broken();
+  measures.pin_work = work.pins;
+  measures.load_work = work.loads;
+  measures.broken_energy = work.broken;
   const double gain = measures.energy.total() - measures.energy_at_start.total();
-  const double scale = energy_scale(model, start);
-  measures.energy_error = scale > 0.0 ? (gain - ledger.expected_gain()) / scale : 0.0;
+  measures.energy_error = base.scale > 0.0 ? (gain - work.expected_gain()) / base.scale : 0.0;
   measures.linear_momentum = linear_momentum(model, end);
   measures.angular_momentum = angular_momentum(model, end);
   measures.sag = sag(model, end);
@@ -34,7 +33,7 @@ RunMeasures measure_run(const Model& model, const State& start, const State& end
   measures.limit_excess = largest_limit_excess(model, end);
   measures.penetration = deepest_penetration(model, end);
   measures.broken_links = broken_links(end);
-  measures.counts = counts;
+  measures.report = report;
   return measures;
 }
 

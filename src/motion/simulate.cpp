@@ -1,24 +1,32 @@
 #include "motion/simulate.h"
 
-#include "methods/registry.h"
-
 namespace taut {
 
-StepReport simulate(const Model& model, State& state, const Settings& settings, std::int64_t steps,
-                    const Guard& guard) {
-  const Settings complete = complete_settings(settings);
-  const auto stepper = find_method(complete.method)->make(model, complete);
-  stepper->watch_energy(guard.on);
-  stepper->links_changed(state);
-  const double rate = complete.steps_per_second();
-  const double start_time = state.time;
-  StepReport total;
-  for (std::int64_t step = 1; step <= steps; ++step) {
-    total.add(advance(*stepper, model, state, 1.0 / rate, guard));
-    if (total.status != StepStatus::done) break;
-    state.time = start_time + static_cast<double>(step) / rate;
+RunReport simulate(const Model& model, State& state, const Settings& settings, std::int64_t steps,
+                   const RunPolicy& policy) {
+  Run run(model, state, settings, policy);
+  while (run.steps() < steps && run.step()) {
   }
-  return total;
+  state = run.state();
+  return run.report();
+}
+
+SampledRun sampled_run(const Model& model, const State& start, const Settings& settings,
+                       const std::vector<double>& times, const RunPolicy& policy, const StopTest& stop) {
+  Run run(model, start, settings, policy);
+  SampledRun sampled;
+  for (const double time : times) {
+    const std::optional<State> state = run.at(time, [&stop] {
+      stop_if_told(stop);
+      return false;
+    });
+    if (!state) break;
+    sampled.states.push_back(run.reported(*state));
+  }
+  sampled.report = run.report();
+  sampled.reached = run.state().time;
+  sampled.failure = run.failure();
+  return sampled;
 }
 
 }  // namespace taut

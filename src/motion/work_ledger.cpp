@@ -1,23 +1,22 @@
 #include "motion/work_ledger.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace taut {
 
-WorkLedger::WorkLedger(const Model& model, const State& start) : model_(model), last_time_(start.time) {
+WorkLedger::WorkLedger(const Model& model, const State& state, const Work& before)
+    : model_(&model), work_(before) {
   std::vector<bool> driven(model.masses.size(), false);
   for (const DrivenPin& pin : model.driven_pins) driven[pin.mass] = true;
   for (const Index link : solvable_links(model)) {
     const Index a = model.links.a[link], b = model.links.b[link];
-    if (!driven[a] && !driven[b]) continue;
-    PinLink pin_link{link, driven[a] ? a : b, driven[a] ? b : a, Vec3::Zero()};
-    pin_link.pull = pull_of(pin_link, start);
-    pin_links_.push_back(pin_link);
-    last_pin_position_.push_back(start.position.at(pin_link.pin));
+    if (driven[a] || driven[b])
+      pin_links_.push_back({link, driven[a] ? a : b, driven[a] ? b : a, Vec3::Zero()});
   }
-  for (const Load& load : model.loads) {
-    auto& places = last_load_position_.emplace_back();
-    for (const Index mass : load.masses) places.push_back(start.position.at(mass));
-  }
-  for (const Index link : model.breakable_links) was_broken_.push_back(start.broken(link));
+  breakable_springs_ =
+      std::ranges::any_of(model.breakable_links, [&](Index link) { return !model.links.rigid(link); });
+  look(state);
 }
 
 Vec3 WorkLedger::pull_of(const PinLink& pin_link, const State& state) const {
@@ -26,32 +25,56 @@ Vec3 WorkLedger::pull_of(const PinLink& pin_link, const State& state) const {
   return towards_pin.normalized() * state.tension[pin_link.link];
 }
 
-void WorkLedger::record(const State& state) {
+Work WorkLedger::until(const State& state) const {
+  Work work = work_;
+  const auto add = [&](double& sum, double done) {
+    sum += done;
+    work.throughput += std::abs(done);
+  };
+  for (const DrivenPin& pin : model_->driven_pins)
+    work.fastest_pin = std::max(work.fastest_pin, state.velocity.at(pin.mass).norm());
   // The pin moves the mass at the other end by its pull; the mean pull over the step along the pin's way.
   for (std::size_t i = 0; i < pin_links_.size(); ++i) {
     const Vec3 pull = pull_of(pin_links_[i], state);
-    const Vec3 place = state.position.at(pin_links_[i].pin);
-    pins_ += 0.5 * (pull + pin_links_[i].pull).dot(place - last_pin_position_[i]);
-    pin_links_[i].pull = pull;
-    last_pin_position_[i] = place;
+    const Vec3 way = state.position.at(pin_links_[i].pin) - last_pin_position_[i];
+    add(work.pins, 0.5 * (pull + pin_links_[i].pull).dot(way));
   }
-  for (std::size_t i = 0; i < model_.loads.size(); ++i) {
-    const Load& load = model_.loads[i];
+  for (std::size_t i = 0; i < model_->loads.size(); ++i) {
+    const Load& load = model_->loads[i];
     const Vec3 force = load.force * load.share(0.5 * (last_time_ + state.time));
-    for (std::size_t j = 0; j < load.masses.size(); ++j) {
-      const Vec3 place = state.position.at(load.masses[j]);
-      if (!model_.masses.pinned(load.masses[j])) loads_ += force.dot(place - last_load_position_[i][j]);
-      last_load_position_[i][j] = place;
-    }
+    for (std::size_t j = 0; j < load.masses.size(); ++j)
+      if (!model_->masses.pinned(load.masses[j]))
+        add(work.loads, force.dot(state.position.at(load.masses[j]) - last_load_position_[i][j]));
   }
   for (std::size_t i = 0; i < was_broken_.size(); ++i) {
-    const Index link = model_.breakable_links[i];
-    if (was_broken_[i] || !state.broken(link)) continue;
-    was_broken_[i] = true;
-    if (model_.links.rigid(link)) continue;
-    const double stretch = link_distance(model_, state.position, link) - model_.links.length[link];
-    broken_ += 0.5 * model_.links.stiffness[link] * stretch * stretch;
+    const Index link = model_->breakable_links[i];
+    if (was_broken_[i] || !state.broken(link) || model_->links.rigid(link)) continue;
+    const double stretch = link_distance(*model_, state.position, link) - model_->links.length[link];
+    add(work.broken, 0.5 * model_->links.stiffness[link] * stretch * stretch);
   }
+  return work;
+}
+
+void WorkLedger::record(const State& state) {
+  work_ = until(state);
+  look(state);
+}
+
+// Remembers what the next step's work is reckoned from.
+void WorkLedger::look(const State& state) {
+  last_pin_position_.clear();
+  for (PinLink& pin_link : pin_links_) {
+    pin_link.pull = pull_of(pin_link, state);
+    last_pin_position_.push_back(state.position.at(pin_link.pin));
+  }
+  last_load_position_.resize(model_->loads.size());
+  for (std::size_t i = 0; i < model_->loads.size(); ++i) {
+    last_load_position_[i].clear();
+    for (const Index mass : model_->loads[i].masses)
+      last_load_position_[i].push_back(state.position.at(mass));
+  }
+  was_broken_.clear();
+  for (const Index link : model_->breakable_links) was_broken_.push_back(state.broken(link));
   last_time_ = state.time;
 }
 

@@ -110,7 +110,7 @@ Chart measure_chart(const Scene& scene, const ChartRequest& request, const std::
   chart.energy_scale = energy_scale(scene.model, scene.start);
   chart.budget = request.budget;
   chart.machine = this_machine();
-  Curves curves = curves_for(scene.model, request.methods);
+  Curves curves = curves_for(scene.model, scene.start, request.methods);
   chart.curves = std::move(curves.curves);
   chart.omissions = std::move(curves.omissions);
   CaseStore store(store_file, inputs_of(scene, request), request.overwrite);

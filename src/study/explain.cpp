@@ -4,7 +4,7 @@
 #include <chrono>
 
 #include "base/failure.h"
-#include "motion/advance.h"
+#include "motion/run.h"
 #include "methods/registry.h"
 #include "model/parts.h"
 #include "frames/simulation.h"
@@ -18,16 +18,10 @@ constexpr double round_seconds = 0.02;
 // Seconds a step takes over the first `steps` of a scene's physics.
 double time_steps(const Scene& scene, const Model& model, std::int64_t steps) {
   using Clock = std::chrono::steady_clock;
-  const double h = 1.0 / scene.settings.steps_per_second();
-  const auto stepper = find_method(scene.settings.method)->make(model, scene.settings);
-  State state = scene.start;
-  stepper->links_changed(state);
+  Run run(model, scene.start, scene.settings);
   const auto begin = Clock::now();
-  for (std::int64_t i = 0; i < steps; ++i) {
-    const StepReport report = advance(*stepper, model, state, h);
-    if (report.status != StepStatus::done)
-      throw RunFailure(failure_sentence(model, state, report, scene.settings.method, h));
-  }
+  while (run.steps() < steps)
+    if (!run.step()) throw RunFailure(run.failure());
   return std::chrono::duration<double>(Clock::now() - begin).count() / static_cast<double>(steps);
 }
 

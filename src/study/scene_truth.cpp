@@ -101,8 +101,8 @@ Truth from_json(const Json& json, const State& start) {
 // How long a motion has to be agreed on to be of use, of the time that is free of events.
 constexpr double enough = 0.25;
 
-bool one_method_alone(const Model& model) {
-  const std::vector<Curve> curves = curves_for(model).curves;
+bool one_method_alone(const Model& model, const State& start) {
+  const std::vector<Curve> curves = curves_for(model, start).curves;
   return std::ranges::all_of(curves, [&](const Curve& curve) { return curve.method == curves[0].method; });
 }
 
@@ -112,7 +112,7 @@ std::optional<Truth> motion_by_agreement(const Scene& scene, double horizon, dou
                                          const TruthRequest& request) {
   constexpr double little = 0.2;
   // Until the first event more methods have a say.
-  if (calm_until < horizon && one_method_alone(scene.model)) return std::nullopt;
+  if (calm_until < horizon && one_method_alone(scene.model, scene.start)) return std::nullopt;
   for (const double bound : {1e-4, 1e-3, 1e-2}) {
     const auto look = [&](const std::vector<double>& times, double most_seconds) {
       return agreed_motion(scene.model, scene.start,

@@ -30,7 +30,7 @@ RunTimes time_runs(const Model& model, const State& start, const Settings& setti
     State state = start;
     const auto begin = Clock::now();
     const double processor_begin = processor_seconds();
-    simulate(model, state, settings, steps, chart_guard);
+    simulate(model, state, settings, steps, chart_policy);
     times.processor.push_back(processor_seconds() - processor_begin);
     times.wall.push_back(std::chrono::duration<double>(Clock::now() - begin).count());
     spent += times.wall.back();

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "methods/registry.h"
-#include "motion/simulate.h"
+#include "motion/run.h"
 #include "model/description.h"
 
 namespace taut::bench {
@@ -21,11 +21,11 @@ inline Settings settings(std::string method, double steps_per_second) {
 
 /// Makes steps that must all be solved.
 inline StepReport simulate_all(const Model& model, State& state, const Settings& how, std::int64_t steps) {
-  const StepReport report = simulate(model, state, how, steps);
-  if (report.status != StepStatus::done)
-    throw std::runtime_error(
-        failure_sentence(model, state, report, how.method, 1.0 / how.number("steps_per_second")));
-  return report;
+  Run run(model, state, how);
+  while (run.steps() < steps)
+    if (!run.step()) throw std::runtime_error(run.failure());
+  state = run.state();
+  return run.report().counts;
 }
 
 /// A level chain of equal masses of 1 kg, first one pinned, released at rest.

@@ -14,12 +14,10 @@ void step_of_a_chain(benchmark::State& run, const char* name) {
   const auto links = static_cast<int>(run.range(0));
   const Built built = bench::build_valid(bench::level_chain(links, 1.0));
   const Settings how = complete_settings(bench::settings(name, 2400.0));
-  const auto stepper = find_method(name)->make(built.model, how);
-  State state = built.start;
-  stepper->links_changed(state);
-  StepReport total;
-  for (auto round : run) total.add(advance(*stepper, built.model, state, 1.0 / 2400.0));
-  if (total.status != StepStatus::done) run.SkipWithError("a step was not solved");
+  Run moving(built.model, built.start, how);
+  for (auto round : run) moving.step();
+  const StepReport& total = moving.report().counts;
+  if (moving.ended()) run.SkipWithError("a step was not solved");
   const auto steps = static_cast<double>(run.iterations());
   run.counters["s/link"] =
       benchmark::Counter(steps * links, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);

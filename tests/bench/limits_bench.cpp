@@ -18,12 +18,10 @@ void step_of_a_chain(benchmark::State& run, const char* name) {
     description.angles.push_back(angle);
   }
   const Built built = bench::build_valid(description);
-  const auto stepper = find_method(name)->make(built.model, complete_settings(bench::settings(name, rate)));
-  State state = built.start;
-  stepper->links_changed(state);
-  StepReport total;
-  for (auto round : run) total.add(advance(*stepper, built.model, state, 1.0 / rate));
-  if (total.status != StepStatus::done) run.SkipWithError("a step was not solved");
+  Run moving(built.model, built.start, complete_settings(bench::settings(name, rate)));
+  for (auto round : run) moving.step();
+  const StepReport& total = moving.report().counts;
+  if (moving.ended()) run.SkipWithError("a step was not solved");
 }
 BENCHMARK_CAPTURE(step_of_a_chain, xpbd, "xpbd")->Arg(0)->Arg(1)->ArgName("limits");
 BENCHMARK_CAPTURE(step_of_a_chain, verlet, "verlet")->Arg(0)->Arg(1)->ArgName("limits");

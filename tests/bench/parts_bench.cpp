@@ -52,12 +52,10 @@ Built sheet_with_everything() {
 void steps(benchmark::State& run, const Model& model, const State& start) {
   constexpr double rate = 2400.0;
   const Settings how = complete_settings(bench::settings("xpbd", rate));
-  const auto stepper = find_method("xpbd")->make(model, how);
-  State state = start;
-  stepper->links_changed(state);
-  StepReport total;
-  for (auto round : run) total.add(advance(*stepper, model, state, 1.0 / rate));
-  if (total.status != StepStatus::done) run.SkipWithError("a step was not solved");
+  Run moving(model, start, how);
+  for (auto round : run) moving.step();
+  const StepReport& total = moving.report().counts;
+  if (moving.ended()) run.SkipWithError("a step was not solved");
 }
 
 // Every part but one removed, in space or in the plane.

@@ -25,12 +25,10 @@ void pass_over_a_sheet(benchmark::State& run, const char* name) {
   const Built built = sheet(static_cast<int>(run.range(0)), run.range(1) != 0);
   constexpr double rate = 2400.0;
   const Settings how = complete_settings(bench::settings(name, rate));
-  const auto stepper = find_method(name)->make(built.model, how);
-  State state = built.start;
-  stepper->links_changed(state);
-  StepReport total;
-  for (auto round : run) total.add(advance(*stepper, built.model, state, 1.0 / rate));
-  if (total.status != StepStatus::done) run.SkipWithError("a step was not solved");
+  Run moving(built.model, built.start, how);
+  for (auto round : run) moving.step();
+  const StepReport& total = moving.report().counts;
+  if (moving.ended()) run.SkipWithError("a step was not solved");
   run.counters["s/link/pass"] = benchmark::Counter(static_cast<double>(total.link_solves),
                                                    benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }

@@ -168,7 +168,7 @@ TEST(RigidPendulum, KeepsItsEnergyWithinThePublishedBound) {
   double worst = 0.0;
   const Settings how = settings("rattle", 1000.0);
   for (int part = 0; part < 1000; ++part) {
-    ASSERT_EQ(simulate(built.model, state, how, 10).status, StepStatus::done);
+    ASSERT_EQ(simulate(built.model, state, how, 10).end, RunEnd::none);
     worst = std::max(worst, std::abs(energy(built.model, state).total() - at_start));
   }
   EXPECT_LT(worst, 5e-5);

@@ -16,9 +16,8 @@ struct Watched {
 Watched run_watched(const Built& built, const Settings& how, int steps) {
   Watched run{built.start, {}, 0.0};
   for (int step = 0; step < steps; ++step) {
-    run.report.add(simulate(built.model, run.state, how, 1));
-    EXPECT_EQ(run.report.status, StepStatus::done)
-        << failure_sentence(built.model, run.state, run.report, how.method, 1 / how.steps_per_second());
+    run.report.add(simulate(built.model, run.state, how, 1).counts);
+    EXPECT_EQ(run.report.status, StepStatus::done);
     if (run.report.status != StepStatus::done) break;
     run.largest_strain = std::max(run.largest_strain, link_strain(built.model, run.state).largest);
   }
@@ -31,8 +30,8 @@ TEST_P(DirectMethods, ChainsHoldTheirLengths) {
   for (const int links : {10, 100, 1000, 10000}) {
     const Built built = build_valid(level_chain(links, 0.1));
     State state = built.start;
-    const StepReport report = simulate(built.model, state, settings(GetParam(), 2400.0), 200);
-    ASSERT_EQ(report.status, StepStatus::done) << links << " links";
+    const RunReport report = simulate(built.model, state, settings(GetParam(), 2400.0), 200);
+    ASSERT_EQ(report.end, RunEnd::none) << links << " links";
     EXPECT_LE(link_strain(built.model, state).largest, 1e-10) << links << " links";
   }
 }
@@ -183,7 +182,7 @@ TEST(Rattle, RefusesSpringsTooStiffForTheStep) {
     } catch (const std::exception& error) {
       EXPECT_NE(std::string(error.what()).find("method newton"), std::string::npos) << error.what();
     }
-    EXPECT_EQ(simulate(built.model, state, settings(method, 2400.0), 1).status, StepStatus::done);
+    EXPECT_EQ(simulate(built.model, state, settings(method, 2400.0), 1).end, RunEnd::none);
   }
 }
 
@@ -194,11 +193,12 @@ TEST(Guard, FailureKeepsTheStateAndNamesTheLink) {
   description.chains[0].last_motion.path = {{0.0, {0.4, 0.0, 0.0}}, {1.0, {0.8, 0.0, 0.0}}};
   const Built built = build_valid(description);
   for (const char* method : {"rattle", "newton"}) {
-    State state = built.start;
-    const StepReport report = simulate(built.model, state, settings(method, 100.0), 100);
-    EXPECT_NE(report.status, StepStatus::done) << "no chain reaches pins farther apart than it is long";
-    EXPECT_TRUE(all_finite(state));
-    const std::string sentence = failure_sentence(built.model, state, report, method, 0.01);
+    Run run(built.model, built.start, settings(method, 100.0));
+    while (run.steps() < 100 && run.step()) {
+    }
+    EXPECT_EQ(run.report().end, RunEnd::step_failed) << "no chain reaches pins farther apart than it is long";
+    EXPECT_TRUE(all_finite(run.state()));
+    const std::string sentence = run.failure();
     EXPECT_NE(sentence.find("rope."), std::string::npos) << sentence;
   }
 }

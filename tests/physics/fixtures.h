@@ -29,12 +29,12 @@ inline Settings settings(std::string method, double steps_per_second, double pas
 
 /// Simulates for a duration that is a whole number of steps; every step must be solved.
 inline State run(const Built& built, const Settings& settings, double duration) {
-  State state = built.start;
-  const double rate = complete_settings(settings).steps_per_second();
-  const StepReport report = simulate(built.model, state, settings, std::llround(duration * rate));
-  EXPECT_EQ(report.status, StepStatus::done)
-      << failure_sentence(built.model, state, report, settings.method, 1 / rate);
-  return state;
+  Run run(built.model, built.start, settings);
+  const auto steps = std::llround(duration * run.settings().steps_per_second());
+  while (run.steps() < steps && run.step()) {
+  }
+  EXPECT_EQ(run.failure(), "");
+  return run.state();
 }
 
 /// The slope of log(error) over log(step size) by least squares: the observed order of convergence.

@@ -2,24 +2,19 @@
 
 #include "fixtures.h"
 #include "model/measures.h"
-#include "motion/advance.h"
+#include "motion/run.h"
 
 namespace taut::test {
 namespace {
 
 // Total energy gained over a run, and what the ledger says it should be.
 std::pair<double, double> gain_and_ledger(const Built& built, const Settings& given, int steps) {
-  const Settings how = complete_settings(given);
-  const auto stepper = find_method(how.method)->make(built.model, how);
-  State state = built.start;
-  stepper->links_changed(state);
-  WorkLedger ledger(built.model, state);
-  for (int step = 0; step < steps; ++step) {
-    EXPECT_EQ(advance(*stepper, built.model, state, 1.0 / how.steps_per_second()).status, StepStatus::done);
-    ledger.record(state);
+  Run run(built.model, built.start, given);
+  while (run.steps() < steps && run.step()) {
   }
-  return {energy(built.model, state).total() - energy(built.model, built.start).total(),
-          ledger.expected_gain()};
+  EXPECT_EQ(run.failure(), "");
+  return {energy(built.model, run.state()).total() - energy(built.model, built.start).total(),
+          run.work().expected_gain()};
 }
 
 TEST(WorkLedger, DrivenPinPaysForTheEnergyItPutsIn) {

@@ -52,14 +52,14 @@ TEST(Rattle, EnergyDoesNotDriftOverAThousandPeriods) {
   const auto worst_of_ten_periods = [&] {
     double worst = 0.0;
     for (int step = 0; step < 2368; ++step) {
-      EXPECT_EQ(simulate(built.model, state, settings("rattle", 100.0), 1).status, StepStatus::done);
+      EXPECT_EQ(simulate(built.model, state, settings("rattle", 100.0), 1).end, RunEnd::none);
       worst = std::max(worst, std::abs(energy(built.model, state).total() - at_start));
     }
     return worst;
   };
   const double first = worst_of_ten_periods();
-  EXPECT_EQ(simulate(built.model, state, settings("rattle", 100.0), 236800 - 2 * 2368).status,
-            StepStatus::done);
+  EXPECT_EQ(simulate(built.model, state, settings("rattle", 100.0), 236800 - 2 * 2368).end,
+            RunEnd::none);
   EXPECT_LT(worst_of_ten_periods(), 1.05 * first);
 }
 

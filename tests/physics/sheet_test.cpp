@@ -70,10 +70,10 @@ TEST(Curtain, XpbdHoldsALargeOneOnDrivenHooks) {
 TEST(Curtain, RattleHoldsThroughHalvings) {
   const Built built = build_valid(drawn_curtain(16, 5));
   State state = built.start;
-  const StepReport report = simulate(built.model, state, settings("rattle", 60.0), 180);
-  ASSERT_EQ(report.status, StepStatus::done)
-      << failure_sentence(built.model, state, report, "rattle", 1.0 / 60.0);
-  EXPECT_GT(report.halvings, 10);
+  const RunReport report = simulate(built.model, state, settings("rattle", 60.0), 180);
+  ASSERT_EQ(report.end, RunEnd::none);
+  EXPECT_GT(report.halved_steps, 10);
+  EXPECT_GE(report.counts.halvings, report.halved_steps);
   EXPECT_LE(link_strain(built.model, state).largest, 1e-10);
   expect_hooks_on_their_rail(built, state);
 }
@@ -81,12 +81,13 @@ TEST(Curtain, RattleHoldsThroughHalvings) {
 // Without halving it stops there, with a sentence that names time, step, link and what to try.
 TEST(Curtain, RattleWithoutHalvingStopsWithTheReason) {
   const Built built = build_valid(drawn_curtain(16, 5));
-  State state = built.start;
-  const StepReport report = simulate(built.model, state, settings("rattle", 60.0), 180, Guard{false, 0});
-  ASSERT_NE(report.status, StepStatus::done);
-  EXPECT_TRUE(all_finite(state));
-  EXPECT_LE(link_strain(built.model, state).largest, 1e-10) << "the last good state is kept";
-  const std::string sentence = failure_sentence(built.model, state, report, "rattle", 1.0 / 60.0);
+  Run run(built.model, built.start, settings("rattle", 60.0), chart_policy);
+  while (run.steps() < 180 && run.step()) {
+  }
+  ASSERT_EQ(run.report().end, RunEnd::step_failed);
+  EXPECT_TRUE(all_finite(run.state()));
+  EXPECT_LE(link_strain(built.model, run.state()).largest, 1e-10) << "the last good state is kept";
+  const std::string sentence = run.failure();
   for (const char* part : {"t = ", "0.0167 s", "method rattle", "cloth.", "steps_per_second"})
     EXPECT_NE(sentence.find(part), std::string::npos) << sentence;
 }

@@ -68,14 +68,14 @@ TEST_P(WindMethods, AGaleDoesNotBlowUpAFeather) {
   description.sheets[0].mass = 1e-4;
   const Built built = build_for_method(description, 0.01);
   State end = built.start;
-  const StepReport report = simulate(built.model, end, settings_for_method(60.0, 10.0), 30);
+  const RunReport report = simulate(built.model, end, settings_for_method(60.0, 10.0), 30);
   const Capabilities& can = find_method(GetParam())->can;
-  if (can.limit == StepLimit::sideways_vibration && report.status != StepStatus::done) {
-    EXPECT_EQ(report.status, StepStatus::direction_lost);
+  if (can.limit == StepLimit::sideways_vibration && report.end != RunEnd::none) {
+    EXPECT_EQ(report.counts.status, StepStatus::direction_lost);
     EXPECT_EQ(state_hash(end), state_hash(built.start));
     return;
   }
-  ASSERT_EQ(report.status, StepStatus::done);
+  ASSERT_EQ(report.end, RunEnd::none);
   EXPECT_LE(fastest_speed(end), (can.rigid ? 1.01 : 1.2) * gale);
 }
 

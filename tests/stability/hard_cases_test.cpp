@@ -13,7 +13,7 @@
 #include <string>
 
 #include "base/failure.h"
-#include "motion/run_measures.h"
+#include "motion/run.h"
 #include "physics/fixtures.h"
 #include "stability/same_bits.h"
 
@@ -48,34 +48,26 @@ class HardCases : public ::testing::TestWithParam<std::string> {
 
   // Runs a scene. Returns what a person would be told where it did not run to its end, else nothing.
   std::optional<std::string> run_hard(const Built& built, double rate, const HardCase& hard) {
-    const std::vector<std::string> problems = capability_problems(built.model, method());
-    if (!problems.empty()) return problems.front();
     const Settings complete = complete_settings(settings(GetParam(), rate));
-    State state = built.start;
-    std::unique_ptr<Stepper> stepper;
-    try {
-      stepper = method().make(built.model, complete);
-      stepper->links_changed(state);
-    } catch (const BadRequest& refusal) {
-      return refusal.what();
-    }
-    WorkLedger ledger(built.model, built.start);
+    const std::vector<std::string> problems = refusals(built.model, built.start, complete);
+    if (!problems.empty()) return problems.front();
+    Run run(built.model, built.start, complete);
     const auto steps = std::llround(hard.duration * rate);
-    for (long long step = 1; step <= steps; ++step) {
-      const State before = state;
-      const StepReport report = advance(*stepper, built.model, state, 1.0 / rate);
-      if (report.status != StepStatus::done) {
-        EXPECT_TRUE(same_bits(state, before)) << "the last good state is not kept";
-        EXPECT_TRUE(all_finite(state));
-        return failure_sentence(built.model, state, report, GetParam(), 1.0 / rate);
+    while (run.steps() < steps) {
+      const State before = run.state();
+      if (!run.step()) {
+        if (run.report().end == RunEnd::step_failed)
+          EXPECT_TRUE(same_bits(run.state(), before)) << "the last good state is not kept";
+        EXPECT_TRUE(all_finite(run.state()));
+        return run.failure();
       }
-      ledger.record(state);
-      if (!all_finite(state)) {
-        ADD_FAILURE() << "not finite after step " << step;
+      if (!all_finite(run.state())) {
+        ADD_FAILURE() << "not finite after step " << run.steps();
         return std::nullopt;
       }
     }
-    const RunMeasures measures = measure_run(built.model, built.start, state, ledger, {});
+    const State& state = run.state();
+    const RunMeasures measures = run.measures(state);
     if (hard.lightest_may_fly) {
       EXPECT_LE(measures.energy_error, 1e3);
     } else {

@@ -184,7 +184,8 @@ TEST(SpringImplicit, StepSolvesBackwardEuler) {
     const Built built = shaken_sheet(taut, springy(2.0));
     const double h = 1.0 / 50.0;
     State state = built.start;
-    const StepReport report = simulate(built.model, state, settings("spring-implicit", 50.0), 1);
+    const StepReport report =
+        simulate(built.model, state, settings("spring-implicit", 50.0), 1).counts;
     ASSERT_EQ(report.status, StepStatus::done);
     EXPECT_EQ(report.halvings, 0);
     const Vectors forces = spring_forces(built, state.position, state.velocity);
@@ -205,7 +206,7 @@ TEST(SpringImplicit, StepSolvesBackwardEuler) {
 TEST(SpringImplicit, NewtonConvergesQuadraticallyWhereAllIsTaut) {
   const Built built = shaken_sheet(true, springy(0.0));
   State state = built.start;
-  EXPECT_LE(simulate(built.model, state, settings("spring-implicit", 100.0), 1).rounds, 6);
+  EXPECT_LE(simulate(built.model, state, settings("spring-implicit", 100.0), 1).counts.rounds, 6);
 }
 
 // What newton solves in every link: C − α̃λ + γ n·(d − d₀) = 0 with λ = h²·tension.
@@ -213,7 +214,7 @@ TEST(Newton, StepSolvesItsCompliantLengths) {
   const Built built = shaken_sheet(false, springy(2.0));
   const double h = 1.0 / 200.0;
   State state = built.start;
-  const StepReport report = simulate(built.model, state, settings("newton", 200.0), 1);
+  const StepReport report = simulate(built.model, state, settings("newton", 200.0), 1).counts;
   ASSERT_EQ(report.status, StepStatus::done);
   EXPECT_EQ(report.halvings, 0);
   for (const Index link : solvable_links(built.model)) {

@@ -31,7 +31,7 @@ Scene scene_named(const std::string& name) {
 
 // Whether any point of the grid that is predicted to cost less than that is good enough.
 bool any_cheaper_does(const Scene& scene, const Truth& truth, double wanted, double work) {
-  for (const Curve& curve : curves_for(scene.model).curves)
+  for (const Curve& curve : curves_for(scene.model, scene.start).curves)
     for (int fineness = 0; fineness < 15; ++fineness)
       for (int row = 0; row < (curve.relaxes ? 5 : 1); ++row) {
         const GridPoint point{0, fineness, row};
@@ -109,7 +109,7 @@ TEST(Plan, IsNoDearerThanAnyRunThatIsGoodEnough) {
   const Plan plan = plan_scene(scene, {ErrorKind::trajectory, wanted, false}, {}, folder.path());
   const Truth truth = scene_truth(scene, {}, folder.path());
   int good = 0;
-  for (const Curve& curve : curves_for(scene.model).curves)
+  for (const Curve& curve : curves_for(scene.model, scene.start).curves)
     for (double rate = 60.0; rate <= 8000.0; rate *= 2.0) {
       const JudgedRun run = judge_run(scene.model, scene.start, truth, settings_at(curve, rate, 1));
       if (run.diverged || *run.errors[ErrorKind::trajectory] > well_within) continue;

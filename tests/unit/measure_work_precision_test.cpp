@@ -78,7 +78,7 @@ TEST(JudgedRun, OrdersOfConvergenceShow) {
                 .errors[ErrorKind::trajectory];
   };
   std::map<std::string, double> orders;
-  for (const Curve& curve : curves_for(built.model).curves)
+  for (const Curve& curve : curves_for(built.model, built.start).curves)
     orders[curve.name] = std::log2(error(curve, 480.0) / error(curve, 960.0));
   EXPECT_NEAR(orders.at("verlet"), 1.0, 0.2);
   EXPECT_NEAR(orders.at("shake"), 2.0, 0.2);
@@ -88,7 +88,7 @@ TEST(JudgedRun, OrdersOfConvergenceShow) {
 
 TEST(Curves, SayWhatIsLeftOutAndWhy) {
   const Built built = pendulum();
-  const Curves curves = curves_for(built.model, {"spring-implicit", "rattle"});
+  const Curves curves = curves_for(built.model, built.start, {"spring-implicit", "rattle"});
   ASSERT_EQ(curves.curves.size(), 2U);
   EXPECT_EQ(curves.curves[0].name, "rattle order 2");
   EXPECT_EQ(curves.curves[1].name, "rattle order 4");
@@ -98,7 +98,7 @@ TEST(Curves, SayWhatIsLeftOutAndWhy) {
 
 // What a walk does, as text.
 std::vector<std::string> walked(const Built& built, const Truth& truth, double most_seconds) {
-  const std::vector<Curve> curves = curves_for(built.model).curves;
+  const std::vector<Curve> curves = curves_for(built.model, built.start).curves;
   GridWalk walk(built.model, curves, truth, most_seconds);
   std::vector<std::string> points;
   while (const auto point = walk.next()) {
@@ -134,7 +134,7 @@ TEST(GridWalk, GoesTheSameWayTwiceRunsNoPointTwiceAndStopsAtItsLimit) {
 TEST(GridWalk, GivesUpPassesThatDoNotPay) {
   const Built built = pendulums(40);
   const Truth truth = pendulum_truth(built);
-  const std::vector<Curve> curves = curves_for(built.model, {"verlet"}).curves;
+  const std::vector<Curve> curves = curves_for(built.model, built.start, {"verlet"}).curves;
   GridWalk walk(built.model, curves, truth, 1e-2);
   std::size_t dear = 0;
   while (const auto point = walk.next()) {

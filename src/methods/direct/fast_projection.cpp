@@ -21,7 +21,7 @@
 #include <iterator>
 #include <utility>
 
-#include "solve_guard.h"
+#include "direct/newton_rounds.h"
 
 namespace taut {
 

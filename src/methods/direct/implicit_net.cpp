@@ -24,7 +24,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solve_guard.h"
+#include "direct/newton_rounds.h"
 
 namespace taut {
 namespace {

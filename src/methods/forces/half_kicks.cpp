@@ -2,21 +2,14 @@
 
 #include <fmt/format.h>
 
-#include "base/failure.h"
 #include "forces/forces.h"
+#include "methods/frequency.h"
 
 namespace taut {
 
 void HalfKicks::links_changed(const State& state) {
   springs_ = gather_springs(model_, state);
   damped_ = any_damped(springs_);
-  const double frequency = highest_frequency(springs_, state.position);
-  if (frequency * longest_step_ < 2.0) return;
-  throw BadRequest(
-      fmt::format("method {} treats links with stiffness as forces, and the stiffest vibrate at {:.4g} "
-                  "rad/s: that needs more than {:.0f} steps_per_second, or method newton, which takes any "
-                  "stiffness",
-                  method_, frequency, 0.5 * frequency));
 }
 
 void HalfKicks::start(const State& whole, double time, double half, const Vectors& position,
@@ -42,6 +35,15 @@ void HalfKicks::end(const State& whole, double time, double half, const Vectors&
   for (std::size_t i = 0; i < springs_.links.size(); ++i)
     tension[springs_.links.link[i]] = spring_tension_[i];
   kick(model_, time, half, velocity, velocity);
+}
+
+std::string too_stiff(const Model& model, const State& start, const Settings& settings) {
+  const double frequency = highest_spring_frequency(model, start);
+  if (frequency < 2.0 * settings.steps_per_second()) return {};
+  return fmt::format(
+      "method {} treats links with stiffness as forces, and the stiffest vibrate at {:.4g} rad/s: that needs "
+      "more than {:.0f} steps_per_second, or method newton, which takes any stiffness",
+      settings.method, frequency, 0.5 * frequency);
 }
 
 }  // namespace taut

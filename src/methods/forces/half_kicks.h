@@ -1,12 +1,13 @@
 #pragma once
 
 #include <cstdint>
-#include <string_view>
+#include <string>
 #include <vector>
 
+#include "forces/springs.h"
+#include "methods/method.h"
 #include "model/model.h"
 #include "model/state.h"
-#include "forces/springs.h"
 
 namespace taut {
 
@@ -25,11 +26,10 @@ namespace taut {
 /// much of lies along the links, which put it right.
 class HalfKicks {
  public:
-  HalfKicks(const Model& model, std::string_view method, double longest_step, double answered_at_once)
-      : model_(model), method_(method), longest_step_(longest_step), answered_at_once_(answered_at_once) {}
+  HalfKicks(const Model& model, double answered_at_once)
+      : model_(model), answered_at_once_(answered_at_once) {}
 
-  /// To be called before the first step and whenever links have broken. Throws BadRequest where the stiffest
-  /// springs vibrate too fast for the longest step, ω·h ≥ 2.
+  /// To be called before the first step and whenever links have broken.
   void links_changed(const State& state);
 
   /// Whether any force but drag depends on velocity.
@@ -51,13 +51,15 @@ class HalfKicks {
 
  private:
   const Model& model_;
-  std::string_view method_;
-  double longest_step_;      // s
   double answered_at_once_;  // n
   Springs springs_;
   bool damped_ = false;
   Vectors guess_;
   std::vector<double> spring_tension_;
 };
+
+/// Why a method that knows links with stiffness as forces refuses a run from a start: the stiffest vibrate
+/// too fast for its steps, ω·h ≥ 2. Empty where they don't.
+std::string too_stiff(const Model& model, const State& start, const Settings& settings);
 
 }  // namespace taut

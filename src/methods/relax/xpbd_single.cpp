@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "file_order_stepper.h"
 #include "forces/forces.h"
 #include "relax/link_order.h"
 
@@ -35,10 +36,11 @@ void widen(const std::vector<Vec3f>& from, Vectors& to) {
   for (std::size_t i = 0; i < from.size(); ++i) to.set(i, from[i].cast<double>());
 }
 
-class SingleXpbdStepper final : public Stepper {
+class SingleXpbdStepper final : public FileOrderStepper {
  public:
   SingleXpbdStepper(const Model& model, int passes) : model_(model), passes_(passes) {}
 
+ private:
   void links_changed(const State& state) override {
     links_.clear();
     index_ = coloured_order(model_, state).links;
@@ -52,9 +54,9 @@ class SingleXpbdStepper final : public Stepper {
     }
   }
 
-  StepReport step(State& state, double h) override {
+  StepReport make_step(State& state, double h, double end_time) override {
     State next = state;
-    next.time += h;
+    next.time = end_time;
     kick(model_, next.time, h, state.velocity, next.velocity);
     place_pins(model_, next.time, next.position, next.velocity);
     start_ = rounded(state.position);
@@ -83,7 +85,6 @@ class SingleXpbdStepper final : public Stepper {
     return report;
   }
 
- private:
   void put_pins(const Vectors& places) {
     for (const DrivenPin& pin : model_.driven_pins) position_[pin.mass] = places.at(pin.mass).cast<float>();
   }

@@ -5,6 +5,7 @@
 
 #include "methods/method.h"
 #include "model/model.h"
+#include "model/state.h"
 
 namespace taut {
 
@@ -25,7 +26,8 @@ struct Curves {
 /// Every method of the registry with every choice of its worded parameters; those left out that can't do what
 /// the model needs. `methods` names those wanted; empty: all. Throws BadRequest for a name that is no
 /// method's.
-Curves curves_for(const Model& model, const std::vector<std::string>& methods = {});
+Curves curves_for(const Model& model, const State& start,
+                  const std::vector<std::string>& methods = {});
 
 /// The curve's settings with a step and, where it relaxes, passes.
 Settings settings_at(const Curve& curve, double steps_per_second, int passes);

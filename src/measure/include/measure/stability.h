@@ -10,13 +10,12 @@
 
 namespace taut {
 
-
 /// How a run with the guard off ended.
 enum class Fate {
   held,      ///< finite to the end, its energy within 1 % of the energy scale
   drifted,   ///< finite to the end, its energy further off
-  diverged,  ///< not finite, or a step could not be solved, or energy less the work done above 10³ energy
-             ///< scales
+  diverged,  ///< not finite, or a step could not be solved, or the masses moved with 10³ times the energy at
+             ///< hand
   refused,   ///< the method says beforehand that it can't do the scene, or not with this step
 };
 
@@ -38,8 +37,8 @@ std::string_view fate_name(Fate fate);
 
 /// Runs the method as it is, nothing halved and no step refused for its energy, for a whole number of steps
 /// of 1/steps_per_second, and says how it ended. The run stops as soon as it has diverged. `reference` is
-/// where the masses ought to be after `compare_after` steps, or nullptr. A method that lacks what the model
-/// needs, and one that throws BadRequest for this model and step, gives `refused`.
+/// where the masses ought to be after `compare_after` steps, or nullptr. A method that refuses the
+/// run gives `refused`.
 RunOutcome run_unguarded(const Model& model, const State& start, const Settings& settings, std::int64_t steps,
                          const State* reference = nullptr, std::int64_t compare_after = 0);
 

@@ -9,7 +9,7 @@
 #include "base/stop.h"
 #include "measure/method_variants.h"
 #include "measure/truth.h"
-#include "motion/advance.h"
+#include "motion/run_policy.h"
 #include "methods/method.h"
 #include "model/model.h"
 #include "model/state.h"
@@ -40,9 +40,6 @@ struct JudgedRun {
 /// Runs a scene once, without halving steps, and judges it. Throws Interrupted.
 JudgedRun judge_run(const Model& model, const State& start, const Truth& truth, const Settings& settings,
                     const StopTest& stop = {});
-
-/// A step that can't be solved counts as diverged in charts: halving it would make several steps of one.
-inline constexpr Guard chart_guard{false, 0};
 
 /// Walks the grid of every curve, always on to the point predicted to be cheapest, and leaves out what can't
 /// matter:

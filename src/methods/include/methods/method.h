@@ -45,6 +45,10 @@ struct Capabilities {
   bool break_tension = false;
   bool half_kicked =
       false;  ///< velocities hold half a kick that links have not answered; reports project them
+  bool breaks_within_step = false;  ///< a step itself tests break_stretch on the links it solves
+  /// Solves a step to the end, or can tell that it failed: then half the step may do, and so it may where a
+  /// step made energy out of nothing. A step can be taken back.
+  bool takes_steps_back = false;
   StepLimit limit = StepLimit::none;
   Interpolation between_steps = Interpolation::hermite;  ///< how a frame between two steps is to be found
 };
@@ -65,7 +69,7 @@ enum class StepStatus {
   direction_lost,        ///< a link turned by 90° or more within the step, or vanished
   factorisation_failed,  ///< the linear system is singular
   not_finite,            ///< a position or velocity is no longer a number
-  energy_jump,           ///< the step made energy out of nothing
+  energy_jump,           ///< the step made energy out of nothing, as the run that it belongs to found
 };
 
 /// What one step did. Counts add up over halved steps.
@@ -82,20 +86,27 @@ struct StepReport {
   void add(const StepReport& other);
 };
 
-/// The moving part of a method: one step at a time. A failed step leaves the State untouched.
+/// What a stepper runs on: so far one thread and plain kernels.
+struct Execution {
+  int workers = 1;
+};
+
+/// The moving part of a method: one step at a time. It may keep what moves in a form and an order of its own;
+/// what it remembers beyond a State never changes a bit of what it does.
 class Stepper {
  public:
   virtual ~Stepper() = default;
-  /// Moves the state on by h seconds. Does not change broken links, but for a method that breaks within the
-  /// step.
-  virtual StepReport step(State& state, double h) = 0;
-  /// To be called once before the first step and again whenever links have broken outside step().
-  virtual void links_changed(const State& state) = 0;
-  /// True when step() itself tests break_stretch on the links it solves.
-  virtual bool breaks_within_step() const { return false; }
-  /// Whether a step that makes energy out of nothing fails, as it does until told otherwise, or is taken.
-  /// Without effect on methods that never look.
-  virtual void watch_energy(bool /*on*/) {}
+  /// Takes a state over: to be called before the first step, and whenever a state has been changed from
+  /// outside (a link has broken, say).
+  virtual void load(const State& state) = 0;
+  /// Moves on by h seconds, to `end_time` (h after the present one, but for rounding). A failed step leaves
+  /// what store() gives as it was. Breaks no links, but for a method with Capabilities::breaks_within_step.
+  virtual StepReport step(double h, double end_time) = 0;
+  /// Takes the last step back; once after a step that succeeded, and only where
+  /// Capabilities::takes_steps_back.
+  virtual void undo() = 0;
+  /// The state that the steps have come to, until the next call of any other function.
+  virtual const State& store() = 0;
 };
 
 /// One entry of the registry.
@@ -105,7 +116,11 @@ struct Method {
   std::string_view source;  ///< paper or book
   std::span<const Param> params;
   Capabilities can;
-  std::unique_ptr<Stepper> (*make)(const Model&, const Settings&);
+  /// For a model and settings that refusals() has nothing against.
+  std::unique_ptr<Stepper> (*make)(const Model&, const Settings&, const Execution&);
+  /// What, beside the capabilities, the method refuses to do: a sentence, or nothing. Absent: it never
+  /// refuses.
+  std::string (*refusal)(const Model&, const State& start, const Settings&) = nullptr;
 };
 
 }  // namespace taut

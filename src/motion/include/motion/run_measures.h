@@ -1,8 +1,9 @@
 #pragma once
 
-#include "motion/work_ledger.h"
-#include "model/measures.h"
 #include "methods/method.h"
+#include "model/measures.h"
+#include "motion/run_report.h"
+#include "motion/work_ledger.h"
 
 namespace taut {
 
@@ -28,11 +29,17 @@ struct RunMeasures {
   double limit_excess = 0.0;             ///< rad
   double penetration = 0.0;              ///< m
   std::size_t broken_links = 0;
-  StepReport counts;  ///< sums over all steps
+  RunReport report;
 };
 
-/// Measures the reported state `end` of a run that began at `start`.
-RunMeasures measure_run(const Model& model, const State& start, const State& end, const WorkLedger& ledger,
-                        const StepReport& counts);
+/// What the energy of a run is compared with.
+struct EnergyBase {
+  Energy at_start;
+  double scale = 0.0;  ///< J, energy_scale()
+};
+
+/// Measures the reported state `end` of a run.
+RunMeasures measure_run(const Model& model, const EnergyBase& base, const State& end, const Work& work,
+                        const RunReport& report);
 
 }  // namespace taut

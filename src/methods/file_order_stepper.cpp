@@ -1,0 +1,41 @@
+#include "file_order_stepper.h"
+
+#include <cmath>
+
+namespace taut {
+
+void FileOrderStepper::load(const State& state) {
+  const bool changed = !loaded_ || state.broken_at != state_.broken_at;
+  state_ = state;
+  loaded_ = true;
+  if (changed) links_changed(state_);
+}
+
+void SwappingStepper::copy_to_work(const State& state) {
+  position_ = state.position;
+  velocity_ = state.velocity;
+  tension_ = state.tension;
+  joints_before_ = state.holds.joints;
+}
+
+void SwappingStepper::take_over(State& state, double end_time, StepReport& report) {
+  if (!std::isfinite(end_time) || !all_finite(position_) || !all_finite(velocity_)) {
+    report.status = StepStatus::not_finite;
+    return;
+  }
+  std::swap(state.position, position_);
+  std::swap(state.velocity, velocity_);
+  std::swap(state.tension, tension_);
+  time_before_ = state.time;
+  state.time = end_time;
+}
+
+void SwappingStepper::undo() {
+  std::swap(state_.position, position_);
+  std::swap(state_.velocity, velocity_);
+  std::swap(state_.tension, tension_);
+  state_.time = time_before_;
+  state_.holds.joints = joints_before_;
+}
+
+}  // namespace taut

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <utility>
+
+#include "methods/method.h"
+
+namespace taut {
+
+/// A stepper that keeps what moves as a State, in the order of the file.
+class FileOrderStepper : public Stepper {
+ public:
+  void load(const State& state) final;
+  StepReport step(double h, double end_time) final { return make_step(state_, h, end_time); }
+  const State& store() final { return state_; }
+  void undo() override {}
+
+ protected:
+  State state_;
+
+ private:
+  /// Moves the state on, or leaves it as it was where that fails.
+  virtual StepReport make_step(State& state, double h, double end_time) = 0;
+  /// Called before the first step and whenever other links are whole than before.
+  virtual void links_changed(const State& state) = 0;
+
+  bool loaded_ = false;
+};
+
+/// One that works a step out beside the state, and then changes the two about: so it can take a step back.
+class SwappingStepper : public FileOrderStepper {
+ public:
+  void undo() final;
+
+ protected:
+  /// Begins a step: the work is a copy of the state.
+  void copy_to_work(const State& state);
+  /// Ends one: swaps the work in and moves the time on, or reports not_finite and changes nothing.
+  void take_over(State& state, double end_time, StepReport& report);
+
+  Vectors position_, velocity_;
+  std::vector<double> tension_;
+
+ private:
+  double time_before_ = 0.0;
+  std::vector<Vec3> joints_before_;
+};
+
+}  // namespace taut

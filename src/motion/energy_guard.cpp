@@ -1,0 +1,58 @@
+#include "energy_guard.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/measures.h"
+
+namespace taut {
+namespace {
+
+constexpr double allowed = 0.1;  // of the scene's energies
+
+}  // namespace
+
+EnergyGuard::EnergyGuard(const Model& model, const State& start)
+    : model_(model), mass_(free_mass(model)), energy_at_start_(energy(model, start).total()) {
+  double loads = 0.0;
+  for (const Load& load : model.loads) loads += load.force.norm() * static_cast<double>(load.masses.size());
+  scale_ = energy_scale(model, start) + loads * total_link_length(model);
+  for (const Joint& joint : model.joints) scale_ += joint.friction;  // through a radian
+  for (const Index link : solvable_links(model))
+    if (!model.links.rigid(link)) springs_.push_back(link);
+}
+
+bool EnergyGuard::exceeded(const State& state, double h, const Work& work) {
+  const double scale = scale_ + mass_ * work.fastest_pin * work.fastest_pin + work.throughput;
+  double most = allowed * scale;
+  if (model_.wind) most = scale + mass_ * wind_at(*model_.wind, state.time).squaredNorm();
+  const double gain = energy(model_, state).total() - energy_at_start_ - work.expected_gain();
+  // Written so that what is not a number exceeds; the swing costs more and is asked for last.
+  return !(gain <= most) && !(gain <= most + swing(state, h));
+}
+
+// (h²/8) Σ w |F|²
+double EnergyGuard::swing(const State& state, double h) {
+  if (springs_.empty()) return 0.0;
+  force_.resize(state.position.size());
+  for (std::size_t i = 0; i < force_.size(); ++i) force_.set(i, model_.masses.mass[i] * model_.gravity);
+  for (const Load& load : model_.loads)
+    for (const Index mass : load.masses) force_.add(mass, load.share(state.time) * load.force);
+  for (const Index link : springs_) {
+    if (state.broken(link)) continue;
+    const Index a = model_.links.a[link], b = model_.links.b[link];
+    const Vec3 difference = state.position.at(a) - state.position.at(b);
+    const double distance = difference.norm();
+    if (distance == 0.0) continue;
+    const Vec3 pull =
+        (model_.links.stiffness[link] * (distance - model_.links.length[link]) / distance) * difference;
+    force_.add(a, -pull);
+    force_.add(b, pull);
+  }
+  double sum = 0.0;
+  for (std::size_t i = 0; i < force_.size(); ++i)
+    sum += model_.masses.inverse_mass[i] * force_.at(i).squaredNorm();
+  return 0.125 * h * h * sum;
+}
+
+}  // namespace taut

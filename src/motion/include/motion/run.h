@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "base/stop.h"
+#include "methods/method.h"
+#include "model/model.h"
+#include "model/state.h"
+#include "motion/run_measures.h"
+#include "motion/run_policy.h"
+#include "motion/run_report.h"
+#include "motion/run_state.h"
+#include "motion/work_ledger.h"
+
+namespace taut {
+
+class EnergyGuard;
+
+/// A model in motion by one method, and the one loop that steps it: whatever draws, exports, judges, times or
+/// explains a run goes through here. It moves in whole steps of 1/steps_per_second; step k ends at exactly
+/// start + k/steps_per_second, and so does what breaks in it. What is asked of it in between never changes
+/// the run.
+class Run {
+ public:
+  /// Refers to the model from then on. Settings are completed. Throws BadRequest where the method refuses the
+  /// run (refusals()): the last time that it can; later there are only reports.
+  Run(const Model& model, const State& start, const Settings& settings, const RunPolicy& policy = {},
+      const Execution& execution = {});
+  /// Goes on from what save() gave, in this process or another, with the same model, start and settings:
+  /// every bit is as if it had never been left.
+  Run(const Model& model, const State& start, const Settings& settings, const RunState& saved,
+      const RunPolicy& policy = {}, const Execution& execution = {});
+  ~Run();
+  Run(Run&&) noexcept;
+
+  /// Makes the next step. False when the run has ended: in this step, or before.
+  bool step();
+  /// The state at a time (s) that is not before the one asked for last: between two steps interpolated from
+  /// both. Nothing when told to stop on the way, or when the run has ended before.
+  std::optional<State> at(double time, const StopTest& stop = {});
+
+  /// Whether the masses move with no more energy than there can be. It is looked at every few steps, and
+  /// where a state is asked for; the run ends where they don't.
+  bool holds_together();
+
+  /// Where the steps so far have come to: the last good state, where the run has ended.
+  const State& state() const { return *state_; }
+  const Settings& settings() const { return settings_; }
+  std::int64_t steps() const { return report_.steps; }
+  bool ended() const { return report_.end != RunEnd::none; }
+  const RunReport& report() const { return report_; }
+  const Work& work() const { return ledger_.work(); }
+  /// Why the run has ended, as a sentence that names time, step and link and says what to try; empty while it
+  /// goes on.
+  std::string failure() const;
+  /// The energy (J) that the masses' motion is measured by: that of the scene, and what pins, loads and wind
+  /// may have given to it.
+  double energy_at_hand() const;
+
+  /// A state as reports show it: velocities projected onto what links allow where the method keeps half a
+  /// kick in them.
+  State reported(const State& state) const;
+  /// What was measured of the run up to a state that at() or state() gave.
+  RunMeasures measures(const State& state) const;
+  /// All that it takes to go on from here.
+  RunState save() const;
+
+ private:
+  double step_time(std::int64_t step) const;
+  StepReport guarded_step(double h, double end_time, int halvings);
+  void note_halving(double begin, const StepReport& report);
+  void break_links();
+
+  const Model& model_;
+  Settings settings_;
+  const Method& method_;
+  RunPolicy policy_;
+  double steps_per_second_, start_time_;
+  EnergyBase energy_base_;
+  std::unique_ptr<Stepper> stepper_;
+  const State* state_;  // the stepper's
+  WorkLedger ledger_;
+  std::unique_ptr<EnergyGuard> guard_;  // none where nothing is watched
+  std::optional<State> before_;         // the step before state_, where a time in between was asked for
+  RunReport report_;
+};
+
+}  // namespace taut

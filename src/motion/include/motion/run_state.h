@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "model/state.h"
+#include "motion/run_report.h"
+#include "motion/work_ledger.h"
+
+namespace taut {
+
+/// All that a run is beside its model, its start and its settings: enough to go on from, bit for bit.
+struct RunState {
+  State state;
+  RunReport report;
+  Work work;
+};
+
+/// The same as bytes, for a file or another process on a machine of the same byte order.
+std::string to_bytes(const RunState& saved);
+
+/// The other way round. Throws BadRequest for bytes that are none of to_bytes(), or not of so many masses,
+/// links and joints as the model has.
+RunState run_state_from(std::string_view bytes, const Model& model);
+
+}  // namespace taut

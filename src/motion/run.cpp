@@ -1,0 +1,206 @@
+#include "motion/run.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "base/failure.h"
+#include "breaking.h"
+#include "energy_guard.h"
+#include "methods/registry.h"
+
+namespace taut {
+namespace {
+
+constexpr std::int64_t steps_between_looks = 16;
+
+const Method& willing_method(const Model& model, const State& start, const Settings& settings) {
+  const std::vector<std::string> problems = refusals(model, start, settings);
+  if (!problems.empty()) throw BadRequest(fmt::format("{}", fmt::join(problems, "\n")));
+  return *find_method(settings.method);
+}
+
+std::string_view reason(StepStatus status) {
+  switch (status) {
+    case StepStatus::done:
+      return "it was solved";
+    case StepStatus::not_converged:
+      return "its links could not be brought to their lengths";
+    case StepStatus::direction_lost:
+      return "a link turned by 90° or more within it";
+    case StepStatus::factorisation_failed:
+      return "its linear system is singular";
+    case StepStatus::not_finite:
+      return "a position or velocity is no longer a finite number";
+    case StepStatus::energy_jump:
+      return "it made energy out of nothing";
+  }
+  return "";
+}
+
+}  // namespace
+
+Run::Run(const Model& model, const State& start, const Settings& settings, const RunPolicy& policy,
+         const Execution& execution)
+    : Run(model, start, settings, RunState{start, {}, {}}, policy, execution) {}
+
+Run::Run(const Model& model, const State& start, const Settings& settings, const RunState& saved,
+         const RunPolicy& policy, const Execution& execution)
+    : model_(model),
+      settings_(complete_settings(settings)),
+      method_(willing_method(model, start, settings_)),
+      policy_(policy),
+      steps_per_second_(settings_.steps_per_second()),
+      start_time_(start.time),
+      energy_base_{energy(model, start), energy_scale(model, start)},
+      stepper_(method_.make(model, settings_, execution)),
+      ledger_(model, saved.state, saved.work),
+      report_(saved.report) {
+  if (policy.watch_energy && method_.can.takes_steps_back)
+    guard_ = std::make_unique<EnergyGuard>(model, start);
+  stepper_->load(saved.state);
+  state_ = &stepper_->store();
+}
+
+Run::~Run() = default;
+Run::Run(Run&&) noexcept = default;
+
+double Run::step_time(std::int64_t step) const {
+  // The sum of many steps would drift away from it.
+  return start_time_ + static_cast<double>(step) / steps_per_second_;
+}
+
+bool Run::step() {
+  if (ended()) return false;
+  const double begin = state_->time, h = 1.0 / steps_per_second_;
+  const StepReport step = guarded_step(h, step_time(report_.steps + 1), policy_.most_halvings);
+  report_.counts.add(step);
+  if (step.halvings > 0) note_halving(begin, step);
+  if (step.status != StepStatus::done) {
+    report_.end = RunEnd::step_failed;
+    return false;
+  }
+  if (!model_.breakable_links.empty()) break_links();
+  ++report_.steps;
+  return report_.steps % steps_between_looks != 0 || holds_together();
+}
+
+// One step of h, or two of h/2 where it can't be solved, as deep as `halvings` allows. What moves is only
+// changed when all of it succeeded.
+StepReport Run::guarded_step(double h, double end_time, int halvings) {
+  StepReport report = stepper_->step(h, end_time);
+  state_ = &stepper_->store();
+  if (report.status == StepStatus::done && guard_ &&
+      guard_->exceeded(*state_, h, ledger_.keeps_anything() ? ledger_.until(*state_) : ledger_.work())) {
+    stepper_->undo();
+    state_ = &stepper_->store();
+    report.status = StepStatus::energy_jump;
+  }
+  if (report.status == StepStatus::done) {
+    if (ledger_.keeps_anything()) ledger_.record(*state_);
+    return report;
+  }
+  if (halvings == 0 || !method_.can.takes_steps_back) return report;
+  const StepReport first_failure = report;
+  const State start = *state_;
+  const WorkLedger ledger = ledger_;
+  report.halvings += 1;
+  report_.deepest_halving = std::max(report_.deepest_halving, policy_.most_halvings - halvings + 1);
+  report.add(guarded_step(0.5 * h, end_time - 0.5 * h, halvings - 1));
+  if (report.status == StepStatus::done) report.add(guarded_step(0.5 * h, end_time, halvings - 1));
+  if (report.status != StepStatus::done) {
+    stepper_->load(start);
+    state_ = &stepper_->store();
+    ledger_ = ledger;
+    report.status = first_failure.status;
+  }
+  report.worst_link = first_failure.worst_link;
+  return report;
+}
+
+void Run::note_halving(double begin, const StepReport& report) {
+  if (report_.halved_steps == 0) report_.first_halved_at = begin;
+  ++report_.halved_steps;
+  report_.last_halved_at = begin;
+  report_.halved_at_link = report.worst_link;
+}
+
+// All links over a threshold break at once, in file order, effective from the next step on.
+void Run::break_links() {
+  const std::vector<Index> over = links_over_threshold(model_, method_.can, *state_);
+  if (over.empty()) return;
+  State broken = *state_;
+  for (const Index link : over) {
+    broken.broken_at[link] = broken.time;
+    broken.tension[link] = 0.0;
+  }
+  report_.counts.breaks += static_cast<std::int64_t>(over.size());
+  stepper_->load(broken);
+  state_ = &stepper_->store();
+  ledger_.record(*state_);
+}
+
+double Run::energy_at_hand() const {
+  const double mass = free_mass(model_), pin = work().fastest_pin;
+  double energy = energy_base_.scale + mass * pin * pin + std::max(0.0, work().loads);
+  if (model_.wind) energy += mass * wind_at(*model_.wind, state_->time).squaredNorm();
+  return energy;
+}
+
+// A run that has gone off tells so long before its numbers overflow. Only energy of motion counts: links that
+// a few passes leave stretched hold a lot of elastic energy while nothing is amiss.
+bool Run::holds_together() {
+  const double at_hand = energy_at_hand();
+  if (at_hand > 0.0 && energy(model_, *state_).kinetic > policy_.diverged_beyond * at_hand)
+    report_.end = RunEnd::diverged;
+  return !ended();
+}
+
+std::optional<State> Run::at(double time, const StopTest& stop) {
+  while (step_time(report_.steps) < time) {
+    if (stop && stop()) return std::nullopt;
+    // Copied only where it is needed: a copy of every step would cost as much as a cheap step itself.
+    if (step_time(report_.steps + 1) > time) before_ = *state_;
+    if (!step()) return std::nullopt;
+  }
+  if (!holds_together()) return std::nullopt;
+  if (state_->time == time) return *state_;
+  return interpolate(*before_, *state_, time, method_.can.between_steps);
+}
+
+std::string Run::failure() const {
+  if (report_.end == RunEnd::none) return {};
+  if (report_.end == RunEnd::diverged)
+    return fmt::format(
+        "the run with method {} at {} steps/s diverges: at t = {:.6g} s its masses move with {:.3g} times "
+        "the "
+        "scene's energy; try more steps_per_second, or another method",
+        settings_.method, steps_per_second_, state_->time,
+        energy(model_, *state_).kinetic / energy_at_hand());
+  std::string where;
+  if (const Index link = report_.counts.worst_link; link != no_link)
+    where = fmt::format(" at the link {} – {}", model_.masses.name[model_.links.a[link]],
+                        model_.masses.name[model_.links.b[link]]);
+  const bool halved = policy_.most_halvings > 0 && method_.can.takes_steps_back;
+  return fmt::format(
+      "the step from t = {:.6g} s by {:.3g} s can't be solved with method {}: {}{}{}; try more "
+      "steps_per_second, or another method",
+      state_->time, 1.0 / steps_per_second_, settings_.method, reason(report_.counts.status), where,
+      halved ? ", even after halving it" : "");
+}
+
+State Run::reported(const State& state) const {
+  return reported_state(model_, method_.can, state);
+}
+
+RunMeasures Run::measures(const State& state) const {
+  return measure_run(model_, energy_base_, reported(state), work(), report_);
+}
+
+RunState Run::save() const {
+  return {*state_, report_, work()};
+}
+
+}  // namespace taut
