@@ -12,15 +12,16 @@
 
 #include "base/failure.h"
 #include "base/nearest.h"
+#include "command_line.h"
 #include "exit_status.h"
 #include "flags.h"
+#include "host/scene_folder.h"
+#include "host/signals.h"
 #include "output/atomic_file.h"
 #include "output/gnuplot.h"
 #include "study/chart_files.h"
 #include "study/chart_summary.h"
 #include "study/plan_table.h"
-#include "host/scene_folder.h"
-#include "host/signals.h"
 #include "values.h"
 #include "verbs.h"
 
@@ -121,8 +122,8 @@ int chart(const ChartFlags& flags) {
 
 }  // namespace
 
-void add_chart(CLI::App& program, Action& action) {
-  CLI::App* verb =
+void add_chart(CommandLine& program) {
+  Verb* verb =
       program.add_subcommand("chart", "Speed against accuracy: what each method needs for how little error");
   const auto flags = std::make_shared<ChartFlags>();
   verb->add_option("SCENE", flags->scenes, "Scene files, or bare names of `taut list scenes`");
@@ -152,7 +153,7 @@ void add_chart(CLI::App& program, Action& action) {
       "budget was "
       "spent before all cases were done.\n\n"
       "Example:\n  taut chart pendulum hanging-chain --methods xpbd,rattle --budget 30s");
-  verb->callback([flags, &action] { action = [flags] { return chart(*flags); }; });
+  verb->action([flags] { return chart(*flags); });
 }
 
 }  // namespace taut

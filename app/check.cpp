@@ -8,15 +8,16 @@
 #include <vector>
 
 #include "base/failure.h"
+#include "command_line.h"
 #include "exit_status.h"
 #include "explain.h"
 #include "flags.h"
+#include "frames/simulation.h"
+#include "host/signals.h"
 #include "measure/expectation.h"
 #include "measures_json.h"
 #include "planning.h"
 #include "study/reference_cache.h"
-#include "host/signals.h"
-#include "frames/simulation.h"
 #include "verbs.h"
 
 namespace taut {
@@ -176,8 +177,8 @@ int check(const CheckFlags& flags) {
 
 }  // namespace
 
-void add_check(CLI::App& program, Action& action) {
-  CLI::App* verb = program.add_subcommand("check", "Find errors in scenes, and test what they expect");
+void add_check(CommandLine& program) {
+  Verb* verb = program.add_subcommand("check", "Find errors in scenes, and test what they expect");
   const auto flags = std::make_shared<CheckFlags>();
   verb->add_option("SCENE", flags->scenes, "Scene files, or bare names of `taut list scenes`")->required();
   flags->changes.add_changes_to(*verb);
@@ -191,7 +192,7 @@ void add_check(CLI::App& program, Action& action) {
   verb->add_flag("--json", flags->json, "Print an array of objects as JSON on stdout");
   verb->add_flag("--quiet", flags->quiet, "Only errors");
   verb->footer("Example:\n  taut check hanging-chain curtain --run");
-  verb->callback([flags, &action] { action = [flags] { return check(*flags); }; });
+  verb->action([flags] { return check(*flags); });
 }
 
 }  // namespace taut

@@ -7,6 +7,7 @@
 
 #include "base/failure.h"
 #include "base/split.h"
+#include "command_line.h"
 #include "flags.h"
 #include "output_flags.h"
 #include "verbs.h"
@@ -50,8 +51,8 @@ int compare(const CompareFlags& flags) {
 
 }  // namespace
 
-void add_compare(CLI::App& program, Action& action) {
-  CLI::App* verb =
+void add_compare(CommandLine& program) {
+  Verb* verb =
       program.add_subcommand("compare", "Run a scene by several methods, side by side in one picture");
   const auto flags = std::make_shared<CompareFlags>();
   verb->add_option("SCENE", flags->scene, "A scene file, or the bare name of one of `taut list scenes`")
@@ -66,7 +67,7 @@ void add_compare(CLI::App& program, Action& action) {
   verb->footer(
       "--size is that of one picture [640x480]. A method that fails stays where it was, and its picture says "
       "so.\n\nExample:\n  taut compare hanging-chain --methods euler,verlet,xpbd,rattle --film compared.mp4");
-  verb->callback([flags, &action] { action = [flags] { return compare(*flags); }; });
+  verb->action([flags] { return compare(*flags); });
 }
 
 }  // namespace taut

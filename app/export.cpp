@@ -7,14 +7,15 @@
 
 #include "base/failure.h"
 #include "base/split.h"
+#include "command_line.h"
 #include "exit_status.h"
 #include "flags.h"
+#include "frames/frame_selection.h"
+#include "frames/simulation.h"
+#include "host/signals.h"
 #include "output/atomic_file.h"
 #include "output/csv.h"
 #include "planning.h"
-#include "frames/frame_selection.h"
-#include "host/signals.h"
-#include "frames/simulation.h"
 #include "values.h"
 #include "verbs.h"
 
@@ -129,8 +130,8 @@ int export_motion(const ExportFlags& flags) {
 
 }  // namespace
 
-void add_export(CLI::App& program, Action& action) {
-  CLI::App* verb = program.add_subcommand("export", "The motion of a scene as a table, for other tools");
+void add_export(CommandLine& program) {
+  Verb* verb = program.add_subcommand("export", "The motion of a scene as a table, for other tools");
   const auto flags = std::make_shared<ExportFlags>();
   flags->scene.add_to(*verb);
   verb->add_option("--format", flags->format, "csv")->capture_default_str();
@@ -142,7 +143,7 @@ void add_export(CLI::App& program, Action& action) {
   add_accuracy(*verb, flags->accuracy);
   verb->add_flag("--quiet", flags->quiet, "No messages but errors");
   verb->footer("Example:\n  taut export pendulum --format csv --times 0.5,1.0 --table links -o links.csv");
-  verb->callback([flags, &action] { action = [flags] { return export_motion(*flags); }; });
+  verb->action([flags] { return export_motion(*flags); });
 }
 
 }  // namespace taut

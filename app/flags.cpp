@@ -46,12 +46,12 @@ GlBackend parse_backend(const std::string& text) {
 
 }  // namespace
 
-void SceneFlags::add_to(CLI::App& verb) {
+void SceneFlags::add_to(Verb& verb) {
   verb.add_option("SCENE", scene, "A scene file, or the bare name of one of `taut list scenes`")->required();
   add_changes_to(verb);
 }
 
-void SceneFlags::add_changes_to(CLI::App& verb) {
+void SceneFlags::add_changes_to(Verb& verb) {
   verb.add_option("--method", method, "Simulate with this method, one of `taut list methods`");
   verb.add_option("--set", sets, "Change a key of the scene: key=value, any number of times")
       ->allow_extra_args(false);
@@ -65,7 +65,7 @@ Scene load(const std::string& argument, const SceneOverrides& overrides) {
   return load_scene(find_scene(argument), overrides);
 }
 
-void PictureFlags::add_to(CLI::App& verb) {
+void PictureFlags::add_to(Verb& verb) {
   auto* size_option = verb.add_option("--size", size, "Width and height in pixels, such as 1280x720");
   verb.add_option("--quality", quality,
                   "draft (640x360, jagged, no shadows), standard (1280x720) or fine (1920x1080)")

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "command_line.h"
 #include "frames/painter.h"
 #include "scene/scene.h"
 
@@ -17,9 +17,9 @@ struct SceneFlags {
   std::string method;
 
   /// Adds the argument SCENE and the flags.
-  void add_to(CLI::App& verb);
+  void add_to(Verb& verb);
   /// Adds only the flags.
-  void add_changes_to(CLI::App& verb);
+  void add_changes_to(Verb& verb);
   SceneOverrides overrides() const;
 };
 
@@ -31,7 +31,7 @@ struct PictureFlags {
   std::string size, quality, colour, backend = "auto", shader_folder;
   bool transparent = false;
 
-  void add_to(CLI::App& verb);
+  void add_to(Verb& verb);
   /// Throws BadRequest. `usual` is the size where neither size nor quality is given.
   PictureSettings settings(std::optional<Size> usual = {}) const;
   /// Puts what the flags say about colours into a scene. Throws BadRequest.

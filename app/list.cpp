@@ -9,9 +9,10 @@
 
 #include "base/failure.h"
 #include "base/nearest.h"
+#include "command_line.h"
 #include "exit_status.h"
-#include "methods/registry.h"
 #include "host/scene_folder.h"
+#include "methods/registry.h"
 #include "scene/scene.h"
 #include "verbs.h"
 
@@ -136,14 +137,13 @@ int list(const ListFlags& flags) {
 
 }  // namespace
 
-void add_list(CLI::App& program, Action& action) {
-  CLI::App* verb =
-      program.add_subcommand("list", "What there is: scenes, methods, or the keys of a scene file");
+void add_list(CommandLine& program) {
+  Verb* verb = program.add_subcommand("list", "What there is: scenes, methods, or the keys of a scene file");
   const auto flags = std::make_shared<ListFlags>();
   verb->add_option("WHAT", flags->what, "scenes, methods or keys")->required();
   verb->add_flag("--json", flags->json, "Print an array of objects as JSON");
   verb->footer("Example:\n  taut list methods --json");
-  verb->callback([flags, &action] { action = [flags] { return list(*flags); }; });
+  verb->action([flags] { return list(*flags); });
 }
 
 }  // namespace taut

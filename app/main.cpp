@@ -5,9 +5,9 @@
 #include <new>
 
 #include "base/failure.h"
+#include "command_line.h"
 #include "exit_status.h"
 #include "host/build_info.h"
-#include "usage.h"
 #include "verbs.h"
 
 namespace taut {
@@ -34,30 +34,20 @@ int carry_out(const Action& action) {
 }
 
 int run(int argument_count, char** arguments) {
-  CLI::App program("taut: masses joined by links, simulated and shown without a display", "taut");
-  program.set_version_flag("--version", build_info());
+  CommandLine program("taut", "taut: masses joined by links, simulated and shown without a display",
+                      build_info());
   program.footer("`taut VERB --help` says more.\n\nExample:\n  taut render hanging-chain --film chain.mp4");
-  Action action;
-  add_render(program, action);
-  add_compare(program, action);
-  add_still(program, action);
-  add_strip(program, action);
-  add_check(program, action);
-  add_chart(program, action);
-  add_export(program, action);
-  add_sag(program, action);
-  add_stability(program, action);
-  add_list(program, action);
-  try {
-    program.parse(argument_count, arguments);
-  } catch (const CLI::Success& help) {
-    return program.exit(help);
-  } catch (const CLI::ParseError& error) {
-    return fail(fmt::format("{}\nSee {}.", usage_problem(program, error), help_hint(program)).c_str(),
-                exit_bad_request);
-  }
-  if (!action) return fail("say what to do: taut VERB …\nSee taut --help.", exit_bad_request);
-  return carry_out(action);
+  add_render(program);
+  add_compare(program);
+  add_still(program);
+  add_strip(program);
+  add_check(program);
+  add_chart(program);
+  add_export(program);
+  add_sag(program);
+  add_stability(program);
+  add_list(program);
+  return carry_out([&] { return program.run(argument_count, arguments); });
 }
 
 }  // namespace

@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "motion/run_measures.h"
 #include "model/model.h"
+#include "motion/run_measures.h"
 
 namespace taut {
 

@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "exit_status.h"
+#include "host/signals.h"
 #include "measures_json.h"
 #include "planning.h"
-#include "host/signals.h"
 #include "values.h"
 
 namespace taut {
@@ -65,7 +65,7 @@ void print_summary(std::span<const Scene> scenes, const RenderRequest& request,
 
 }  // namespace
 
-void OutputFlags::add_to(CLI::App& verb, const std::string& usual_folder) {
+void OutputFlags::add_to(Verb& verb, const std::string& usual_folder) {
   verb.add_option("-o,--output", folder, fmt::format("Folder for the frames [{}]", usual_folder));
   verb.add_option("--film", film, "Also make a film; its ending chooses .mp4, .webm, .gif or .webp");
   verb.add_flag("--no-frames", no_frames, "Only the film, no PNG files");

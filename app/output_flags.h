@@ -1,13 +1,13 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <span>
 #include <string>
 
+#include "command_line.h"
 #include "flags.h"
-#include "measure/planner.h"
 #include "frames/frames.h"
+#include "measure/planner.h"
 
 namespace taut {
 
@@ -17,7 +17,7 @@ struct OutputFlags {
   std::string folder, film, selection, rate = "30";
   bool no_frames = false, overwrite = false, json = false, quiet = false;
 
-  void add_to(CLI::App& verb, const std::string& usual_folder);
+  void add_to(Verb& verb, const std::string& usual_folder);
   /// Throws BadRequest. `usual` is the size of a picture where neither size nor quality is given.
   RenderRequest request(const std::string& usual_folder, std::optional<Size> usual = {}) const;
 };

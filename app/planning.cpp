@@ -10,7 +10,7 @@
 
 namespace taut {
 
-void add_accuracy(CLI::App& verb, std::string& accuracy) {
+void add_accuracy(Verb& verb, std::string& accuracy) {
   verb.add_option("--accuracy", accuracy,
                   "Choose method, step and passes, the cheapest that is this good: 1% (of the scene's size), "
                   "trajectory=1mm, strain=1e-3, sag=0.5%");

@@ -1,17 +1,17 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
+#include "command_line.h"
 #include "measure/planner.h"
 #include "scene/scene.h"
 
 namespace taut {
 
 /// Adds the flag --accuracy.
-void add_accuracy(CLI::App& verb, std::string& accuracy);
+void add_accuracy(Verb& verb, std::string& accuracy);
 
 /// Where an accuracy is given, or the scene leaves its method open, plans how to run the scene, puts that
 /// into it, and says so on stderr. `method`: what --method says; the plan keeps to it. Throws BadRequest for

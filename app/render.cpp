@@ -1,6 +1,7 @@
 #include <memory>
 #include <optional>
 
+#include "command_line.h"
 #include "flags.h"
 #include "output_flags.h"
 #include "planning.h"
@@ -27,8 +28,8 @@ int render(const RenderFlags& flags) {
 
 }  // namespace
 
-void add_render(CLI::App& program, Action& action) {
-  CLI::App* verb = program.add_subcommand("render", "Simulate a scene and make frames and a film of it");
+void add_render(CommandLine& program) {
+  Verb* verb = program.add_subcommand("render", "Simulate a scene and make frames and a film of it");
   const auto flags = std::make_shared<RenderFlags>();
   flags->scene.add_to(*verb);
   add_accuracy(*verb, flags->accuracy);
@@ -36,7 +37,7 @@ void add_render(CLI::App& program, Action& action) {
   verb->footer(
       "Running the same again goes on where it stopped.\n\n"
       "Example:\n  taut render curtain --film curtain.mp4 --set world.drag=0.5");
-  verb->callback([flags, &action] { action = [flags] { return render(*flags); }; });
+  verb->action([flags] { return render(*flags); });
 }
 
 }  // namespace taut

@@ -5,12 +5,13 @@
 
 #include "base/failure.h"
 #include "base/split.h"
+#include "command_line.h"
 #include "exit_status.h"
 #include "flags.h"
-#include "output/gnuplot.h"
 #include "host/progress.h"
-#include "study/sag_files.h"
 #include "host/signals.h"
+#include "output/gnuplot.h"
+#include "study/sag_files.h"
 #include "values.h"
 #include "verbs.h"
 
@@ -70,8 +71,8 @@ int sag(const SagFlags& flags) {
 
 }  // namespace
 
-void add_sag(CLI::App& program, Action& action) {
-  CLI::App* verb =
+void add_sag(CommandLine& program) {
+  Verb* verb =
       program.add_subcommand("sag", "Where a scene comes to rest over passes, beside the exact shape");
   const auto flags = std::make_shared<SagFlags>();
   flags->scene.add_to(*verb);
@@ -83,7 +84,7 @@ void add_sag(CLI::App& program, Action& action) {
   verb->footer(
       "Settles with verlet at 60 steps/s unless --method or --set steps_per_second=… say otherwise. --size "
       "is that of one panel [380x340].\n\nExample:\n  taut sag hanging-chain-two-pins -o sag");
-  verb->callback([flags, &action] { action = [flags] { return sag(*flags); }; });
+  verb->action([flags] { return sag(*flags); });
 }
 
 }  // namespace taut

@@ -9,11 +9,12 @@
 
 #include "base/failure.h"
 #include "base/split.h"
+#include "command_line.h"
 #include "exit_status.h"
 #include "flags.h"
+#include "host/signals.h"
 #include "methods/registry.h"
 #include "output/gnuplot.h"
-#include "host/signals.h"
 #include "study/stability_files.h"
 #include "values.h"
 #include "verbs.h"
@@ -103,8 +104,8 @@ int stability(const StabilityFlags& flags) {
 
 }  // namespace
 
-void add_stability(CLI::App& program, Action& action) {
-  CLI::App* verb = program.add_subcommand("stability", "Maps of where each method fails");
+void add_stability(CommandLine& program) {
+  Verb* verb = program.add_subcommand("stability", "Maps of where each method fails");
   const auto flags = std::make_shared<StabilityFlags>();
   verb->add_option("SCENE", flags->scenes, "Scene files, or bare names of `taut list scenes` [level-chain]");
   verb->add_option("--methods", flags->methods,
@@ -132,7 +133,7 @@ void add_stability(CLI::App& program, Action& action) {
       "Every run has the guard off: no step is halved. Colour is the position error over the total link\n"
       "length; hatched is what diverged; circles are the measured edge, the line is what theory predicts.\n\n"
       "Example:\n  taut stability level-chain --methods rattle,xpbd --axes step,mass-ratio");
-  verb->callback([flags, &action] { action = [flags] { return stability(*flags); }; });
+  verb->action([flags] { return stability(*flags); });
 }
 
 }  // namespace taut

@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "command_line.h"
 #include "exit_status.h"
 #include "flags.h"
 #include "planning.h"
@@ -38,8 +39,8 @@ int still(const StillFlags& flags) {
 
 }  // namespace
 
-void add_still(CLI::App& program, Action& action) {
-  CLI::App* verb = program.add_subcommand("still", "One picture of a scene at a time");
+void add_still(CommandLine& program) {
+  Verb* verb = program.add_subcommand("still", "One picture of a scene at a time");
   const auto flags = std::make_shared<StillFlags>();
   flags->scene.add_to(*verb);
   verb->add_option("--at", flags->at, "The time, such as 2.5s")->required();
@@ -48,7 +49,7 @@ void add_still(CLI::App& program, Action& action) {
   verb->add_flag("--json", flags->json, "Print what was made as JSON on stdout");
   verb->add_flag("--quiet", flags->quiet, "No messages but errors");
   verb->footer("Example:\n  taut still curtain --at 2.5s -o curtain.png");
-  verb->callback([flags, &action] { action = [flags] { return still(*flags); }; });
+  verb->action([flags] { return still(*flags); });
 }
 
 }  // namespace taut

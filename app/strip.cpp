@@ -4,10 +4,11 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "command_line.h"
 #include "exit_status.h"
 #include "flags.h"
-#include "planning.h"
 #include "frames/still.h"
+#include "planning.h"
 #include "values.h"
 #include "verbs.h"
 
@@ -39,8 +40,8 @@ int strip(const StripFlags& flags) {
 
 }  // namespace
 
-void add_strip(CLI::App& program, Action& action) {
-  CLI::App* verb =
+void add_strip(CommandLine& program) {
+  Verb* verb =
       program.add_subcommand("strip", "Pictures of a scene from start to end, side by side in one file");
   const auto flags = std::make_shared<StripFlags>();
   flags->scene.add_to(*verb);
@@ -52,7 +53,7 @@ void add_strip(CLI::App& program, Action& action) {
   verb->footer(
       "--size is that of one picture [480x360].\n\nExample:\n  taut strip hanging-chain --count 6 -o "
       "chain.png");
-  verb->callback([flags, &action] { action = [flags] { return strip(*flags); }; });
+  verb->action([flags] { return strip(*flags); });
 }
 
 }  // namespace taut

@@ -4,30 +4,11 @@
 
 #include <algorithm>
 #include <string_view>
-#include <vector>
 
 #include "base/nearest.h"
 
 namespace taut {
 namespace {
-
-const CLI::App& verb_in_use(const CLI::App& program) {
-  const std::vector<CLI::App*> used = program.get_subcommands();
-  return used.empty() ? program : *used.front();
-}
-
-std::vector<std::string> flags_of(const CLI::App& verb) {
-  std::vector<std::string> flags;
-  for (const CLI::Option* option : verb.get_options())
-    for (const std::string& name : option->get_lnames()) flags.push_back("--" + name);
-  return flags;
-}
-
-std::vector<std::string> verbs_of(const CLI::App& program) {
-  std::vector<std::string> verbs;
-  for (const CLI::App* verb : program.get_subcommands({})) verbs.push_back(verb->get_name());
-  return verbs;
-}
 
 std::string unknown(std::string_view kind, const std::string& word, const std::vector<std::string>& known) {
   const std::vector<std::string_view> names(known.begin(), known.end());
@@ -36,23 +17,21 @@ std::string unknown(std::string_view kind, const std::string& word, const std::v
                      nearest.empty() ? "" : fmt::format("; did you mean \"{}\"?", nearest));
 }
 
-}  // namespace
-
-std::string usage_problem(const CLI::App& program, const CLI::ParseError& error) {
-  const CLI::App& verb = verb_in_use(program);
-  const std::vector<std::string> left_over = verb.remaining();
+std::string problem(const Misuse& misuse) {
   // A mistyped flag is the cause even where the parser stumbled over what came of it.
   const auto flag =
-      std::ranges::find_if(left_over, [](const std::string& word) { return word.starts_with('-'); });
-  if (flag != left_over.end()) return unknown("flag", flag->substr(0, flag->find('=')), flags_of(verb));
-  if (left_over.empty()) return error.what();
-  if (&verb == &program) return unknown("verb", left_over.front(), verbs_of(program));
-  return fmt::format("\"{}\" is one word too many", left_over.front());
+      std::ranges::find_if(misuse.left_over, [](const std::string& word) { return word.starts_with('-'); });
+  if (flag != misuse.left_over.end()) return unknown("flag", flag->substr(0, flag->find('=')), misuse.flags);
+  if (misuse.left_over.empty()) return misuse.complaint;
+  if (misuse.verb.empty()) return unknown("verb", misuse.left_over.front(), misuse.verbs);
+  return fmt::format("\"{}\" is one word too many", misuse.left_over.front());
 }
 
-std::string help_hint(const CLI::App& program) {
-  const CLI::App& verb = verb_in_use(program);
-  return &verb == &program ? "taut --help" : fmt::format("taut {} --help", verb.get_name());
+}  // namespace
+
+std::string usage_problem(const Misuse& misuse) {
+  const std::string help = misuse.verb.empty() ? "taut --help" : fmt::format("taut {} --help", misuse.verb);
+  return fmt::format("{}\nSee {}.", problem(misuse), help);
 }
 
 }  // namespace taut

@@ -1,15 +1,21 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
+#include <vector>
 
 namespace taut {
 
-/// What is wrong with a command line, as a sentence: an unknown verb or flag with the nearest one there is,
-/// or what the parser says.
-std::string usage_problem(const CLI::App& program, const CLI::ParseError& error);
+/// A command line that the parser could make no sense of.
+struct Misuse {
+  std::string verb;                    ///< that was in use; empty: none
+  std::vector<std::string> verbs;      ///< that there are
+  std::vector<std::string> left_over;  ///< words that nothing took
+  std::vector<std::string> flags;      ///< of the verb in use, with their dashes
+  std::string complaint;               ///< the parser's
+};
 
-/// How a program's or verb's help is called, for the end of such a message.
-std::string help_hint(const CLI::App& program);
+/// What is wrong with it, as a sentence: an unknown verb or flag with the nearest one there is, or what the
+/// parser says; and which help to look at.
+std::string usage_problem(const Misuse& misuse);
 
 }  // namespace taut

@@ -1,24 +1,19 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
-#include <functional>
-
 namespace taut {
 
-/// What a command line asks for; gives the exit status. Empty until a verb was recognised.
-using Action = std::function<int()>;
+class CommandLine;
 
-// One function per verb, each in a file of its own: adds the verb with its flags and its help, and sets the
-// action when the verb is used.
-void add_render(CLI::App& program, Action& action);
-void add_compare(CLI::App& program, Action& action);
-void add_still(CLI::App& program, Action& action);
-void add_strip(CLI::App& program, Action& action);
-void add_check(CLI::App& program, Action& action);
-void add_chart(CLI::App& program, Action& action);
-void add_export(CLI::App& program, Action& action);
-void add_sag(CLI::App& program, Action& action);
-void add_stability(CLI::App& program, Action& action);
-void add_list(CLI::App& program, Action& action);
+// One function per verb, each in a file of its own: adds the verb with its flags, its help and its action.
+void add_render(CommandLine& program);
+void add_compare(CommandLine& program);
+void add_still(CommandLine& program);
+void add_strip(CommandLine& program);
+void add_check(CommandLine& program);
+void add_chart(CommandLine& program);
+void add_export(CommandLine& program);
+void add_sag(CommandLine& program);
+void add_stability(CommandLine& program);
+void add_list(CommandLine& program);
 
 }  // namespace taut

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/failure.h"
 #include "measure/cost.h"
@@ -35,15 +36,15 @@ Passes passes_for(const Model& model) {
   return impacts ? Passes{64, 16} : Passes{};
 }
 
-std::optional<Opinion> opinion_of(const Model& model, const State& start, const Curve& curve,
+std::optional<Opinion> opinion_of(const Model& model, const State& start, const MethodVariant& curve,
                                   const std::vector<double>& times, double most_seconds,
                                   const StopTest& stop) {
-  Opinion opinion{curve.name, curve.method, curve.relaxes, 0.0, {}, {}};
+  Opinion opinion{curve.name, curve.method, curve.relaxes(), 0.0, {}, {}};
   const Passes passes = passes_for(model);
   const double horizon = times.back();
   double work = 0.0;
   for (double rate = 120.0; rate <= 1e6 && 2.0 * work <= most_seconds; rate *= 2.0) {
-    if (predicted_seconds(model, curve.settings.method, rate * horizon, curve.relaxes ? passes.fine : 1) >
+    if (predicted_seconds(model, curve.settings.method, rate * horizon, curve.relaxes() ? passes.fine : 1) >
         most_seconds)
       break;
     try {
@@ -60,7 +61,7 @@ std::optional<Opinion> opinion_of(const Model& model, const State& start, const 
     }
   }
   if (opinion.coarse.empty()) return std::nullopt;
-  if (curve.relaxes && passes.coarse != passes.fine)
+  if (curve.relaxes() && passes.coarse != passes.fine)
     opinion.coarse = sampled_run(model, start, settings_at(curve, 0.5 * opinion.rate, passes.coarse), times,
                                  chart_policy, stop)
                          .states;
@@ -212,10 +213,12 @@ void set_limit(Truth& truth, ErrorKind kind, double uncertainty) {
 std::vector<Opinion> opinions_of(const Model& model, const State& start, const std::vector<double>& times,
                                  double most_seconds, const StopTest& stop) {
   const bool rigid = has_rigid_links(model);
+  bool one_of_them = false;
   std::vector<Opinion> opinions;
-  for (const Curve& curve : curves_for(model, start).curves) {
-    // Without rigid links these two are one method, step by step.
-    if (!rigid && curve.settings.method == "rattle") continue;
+  for (const MethodVariant& curve : variants_of(model, start).curves) {
+    // Without rigid links the methods that know springs as forces are one method, step by step: one will do.
+    const bool springs_are_forces = curve.can.limit == StepLimit::sideways_vibration;
+    if (!rigid && springs_are_forces && std::exchange(one_of_them, true)) continue;
     if (auto opinion = opinion_of(model, start, curve, times, most_seconds, stop))
       opinions.push_back(*std::move(opinion));
   }

@@ -1,6 +1,5 @@
 #include "measure/cost.h"
 
-#include <array>
 #include <cmath>
 
 #include "methods/registry.h"
@@ -9,46 +8,23 @@
 namespace taut {
 namespace {
 
-// ns
-struct Prices {
-  std::string_view method;
-  double step;    // a link
-  double solve;   // a link
-  double factor;  // rows^1.5
-};
-
-constexpr Prices usual{"", 10.0, 10.0, 2.0};
-constexpr std::array prices{Prices{"euler", 4.0, 18.0, 0.0},
-                            Prices{"verlet", 5.0, 6.0, 0.0},
-                            Prices{"xpbd", 6.0, 6.0, 0.0},
-                            Prices{"shake", 15.0, 5.0, 0.0},
-                            Prices{"newton", 8.0, 12.0, 0.5},
-                            Prices{"rattle", 18.0, 11.0, 0.5},
-                            Prices{"spring-explicit", 17.0, 0.0, 0.0},
-                            Prices{"spring-implicit", 15.0, 0.0, 40.0}};
-
 constexpr double any_step = 80.0;  // ns
 // ns · rows³ a round: limits on angles make direct solves dense.
 constexpr double dense_round = 0.036;
 // ns a limit and round, and a contact point and step, beside what its links cost.
 constexpr double limit_round = 70.0, contact_step = 100.0;
 
-const Prices& prices_of(std::string_view method) {
-  for (const Prices& entry : prices)
-    if (entry.method == method) return entry;
-  return usual;
-}
-
 }  // namespace
 
 double predicted_seconds(const Model& model, std::string_view method, const StepReport& counts,
                          double steps) {
-  const Prices& price = prices_of(method);
+  const Method& entry = *find_method(method);
+  const Prices& price = entry.prices;
   const auto rows = static_cast<double>(model.links.size()),
              limits = static_cast<double>(model.limits.size()), rounds = static_cast<double>(counts.rounds);
   const bool dense = price.factor > 0.0 && limits > 0.0;
-  // Without rigid links rattle has a system of no rows.
-  const bool factors = method != "rattle" || has_rigid_links(model);
+  // Where links with stiffness are forces, a model without rigid links has a system of no rows.
+  const bool factors = entry.can.limit != StepLimit::sideways_vibration || has_rigid_links(model);
   return 1e-9 *
          (any_step * steps + price.step * steps * rows +
           price.solve * static_cast<double>(counts.link_solves) +

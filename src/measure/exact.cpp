@@ -80,7 +80,7 @@ HangingChain hanging_chain_at_rest(const Vec3& from, const Vec3& to, int link_co
   for (int round = 0; round < 200; ++round) {
     const Vec2 miss = span - shape.end;
     if (miss.norm() <= 1e-15 * link_length * link_count) break;
-    const Vec2 change = shape.derivative.partialPivLu().solve(miss);
+    const Vec2 change = shape.derivative.inverse() * miss;
     double share = 1.0;
     for (int halving = 0; halving < 40; ++halving, share *= 0.5) {
       const Vec2 trial = force + share * change;

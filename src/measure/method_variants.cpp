@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "methods/registry.h"
 #include "model/parts.h"
@@ -19,17 +20,19 @@ bool relaxes(const Model& model, const Method& method) {
 }
 
 // All combinations of a method's worded parameters, the method's default first.
-std::vector<Curve> variants(const Model& model, const Method& method, std::size_t place) {
-  Curve plain;
+std::vector<MethodVariant> variants(const Model& model, const Method& method, std::size_t place) {
+  MethodVariant plain;
   plain.name = method.name;
   plain.settings = complete_settings({std::string(method.name), {}});
-  plain.relaxes = relaxes(model, method);
+  plain.can = method.can;
   plain.method = place;
-  std::vector<Curve> curves{plain};
+  plain.finer = {"steps_per_second", 60.0, 2.0, 15};  // to 983,040
+  if (relaxes(model, method)) plain.passes = ChartAxis{"passes", 1.0, 4.0, 5};
+  std::vector<MethodVariant> curves{plain};
   for (const Param& param : method.params) {
     if (param.choices.empty()) continue;
-    std::vector<Curve> chosen;
-    for (const Curve& curve : curves)
+    std::vector<MethodVariant> chosen;
+    for (const MethodVariant& curve : curves)
       for (const std::string_view choice : param.choices) {
         chosen.push_back(curve);
         chosen.back().settings.values[std::string(param.name)] = std::string(choice);
@@ -43,7 +46,8 @@ std::vector<Curve> variants(const Model& model, const Method& method, std::size_
 }
 
 // Why the method refuses the model even with the finest steps; empty when it doesn't.
-std::string refusal(const Model& model, const State& start, const Method& method, const Curve& curve) {
+std::string refusal(const Model& model, const State& start, const Method& method,
+                    const MethodVariant& curve) {
   const double finest = find_param(method, "steps_per_second")->max;
   const std::vector<std::string> problems = refusals(model, start, settings_at(curve, finest, 1));
   return problems.empty() ? std::string() : problems.front();
@@ -55,9 +59,9 @@ void require_known(const std::vector<std::string>& methods) {
 
 }  // namespace
 
-Curves curves_for(const Model& model, const State& start, const std::vector<std::string>& methods) {
+MethodVariants variants_of(const Model& model, const State& start, const std::vector<std::string>& methods) {
   require_known(methods);
-  Curves result;
+  MethodVariants result;
   for (std::size_t place = 0; place < all_methods().size(); ++place) {
     const Method& method = all_methods()[place];
     if (!methods.empty() && std::ranges::find(methods, method.name) == methods.end()) {
@@ -72,7 +76,7 @@ Curves curves_for(const Model& model, const State& start, const std::vector<std:
           fmt::format("{} {}", method.name, first.substr(what, first.find(';') - what)));
       continue;
     }
-    for (Curve& curve : variants(model, method, place)) {
+    for (MethodVariant& curve : variants(model, method, place)) {
       if (const std::string problem = refusal(model, start, method, curve); !problem.empty())
         result.omissions.push_back(fmt::format("{}: {}", curve.name, problem));
       else
@@ -82,11 +86,22 @@ Curves curves_for(const Model& model, const State& start, const std::vector<std:
   return result;
 }
 
-Settings settings_at(const Curve& curve, double steps_per_second, int passes) {
-  Settings settings = curve.settings;
+Settings settings_at(const MethodVariant& variant, double steps_per_second, int passes) {
+  Settings settings = variant.settings;
   settings.values["steps_per_second"] = steps_per_second;
-  if (curve.relaxes) settings.values["passes"] = static_cast<double>(passes);
+  if (variant.relaxes()) settings.values["passes"] = static_cast<double>(passes);
   return settings;
+}
+
+Settings settings_at_place(const MethodVariant& variant, int fineness, int row) {
+  Settings settings = variant.settings;
+  settings.values[variant.finer.param] = variant.finer.value(fineness);
+  if (variant.passes) settings.values[variant.passes->param] = variant.passes->value(row);
+  return settings;
+}
+
+double ChartAxis::value(int place) const {
+  return first * std::pow(ratio, place);
 }
 
 }  // namespace taut

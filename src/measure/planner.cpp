@@ -58,18 +58,18 @@ struct Search {
 
 // `whole`: the scene's duration over the truth's horizon.
 Search search(const Model& model, const State& start, const Truth& truth, ErrorKind kind, double good_enough,
-              double whole, const std::vector<Curve>& curves, const StopTest& stop) {
+              double whole, const std::vector<MethodVariant>& curves, const StopTest& stop) {
   Search found;
   GridWalk walk(model, curves, truth, most_run);
   double work = 0.0;
   while (const std::optional<GridPoint> point = walk.next()) {
     Tried tried;
-    tried.settings = settings_at(curves[point->curve], point->steps_per_second(), point->passes());
+    tried.settings = settings_at_place(curves[point->curve], point->fineness, point->row);
     const JudgedRun run = judge_run(model, start, truth, tried.settings, stop);
     walk.record(run);
     ++found.runs;
     tried.work = predicted_seconds(model, tried.settings.method, run.counts,
-                                   truth.horizon() * point->steps_per_second());
+                                   truth.horizon() * tried.settings.steps_per_second());
     // What is smaller can't be told from the truth.
     tried.error = run.diverged ? infinity : std::max(*run.errors[kind], *truth.smallest[kind]);
     work += tried.work;
@@ -105,7 +105,7 @@ Plan make_plan(const Model& model, const State& start, const Truth& truth, doubl
   const std::vector<std::string> methods =
       only.empty() ? std::vector<std::string>{} : std::vector{std::string(only)};
   const Search found = search(model, start, only_kind(truth, kind), kind, safety * wanted,
-                              duration / truth.horizon(), curves_for(model, start, methods).curves, stop);
+                              duration / truth.horizon(), variants_of(model, start, methods).curves, stop);
   if (found.best.error == infinity) return plan_without_truth(truth, wanted);
   const Tried& chosen = found.cheapest ? *found.cheapest : found.best;
 

@@ -13,20 +13,10 @@
 namespace taut {
 namespace {
 
-constexpr int finenesses = 15;  // 60 to 983,040 steps per second
-constexpr int pass_rows = 5;    // 1 to 256 passes
-constexpr int patience = 2;     // points of a row that a cheaper one of its curve beats
-constexpr int hope = 3;         // points of a row that are no better than those before
+constexpr int patience = 2;  // points of a row that a cheaper one of its curve beats
+constexpr int hope = 3;      // points of a row that are no better than those before
 
 }  // namespace
-
-double GridPoint::steps_per_second() const {
-  return 60.0 * std::ldexp(1.0, fineness);
-}
-
-int GridPoint::passes() const {
-  return 1 << (2 * row);
-}
 
 JudgedRun judge_run(const Model& model, const State& start, const Truth& truth, const Settings& settings,
                     const StopTest& stop) {
@@ -46,9 +36,12 @@ JudgedRun judge_run(const Model& model, const State& start, const Truth& truth, 
   return judged;
 }
 
-GridWalk::GridWalk(const Model& model, std::vector<Curve> curves, Truth truth, double most_seconds)
+GridWalk::GridWalk(const Model& model, std::vector<MethodVariant> curves, Truth truth, double most_seconds)
     : model_(model), curves_(std::move(curves)), truth_(std::move(truth)), most_seconds_(most_seconds) {
-  for (const Curve& curve : curves_) walks_.push_back({std::vector<Row>(curve.relaxes ? pass_rows : 1), {}});
+  for (const MethodVariant& curve : curves_) {
+    const int rows = curve.passes ? curve.passes->count : 1;
+    walks_.push_back({std::vector<Row>(static_cast<std::size_t>(rows)), {}});
+  }
 }
 
 std::optional<GridPoint> GridWalk::next() {
@@ -57,7 +50,7 @@ std::optional<GridPoint> GridWalk::next() {
   for (std::size_t curve = 0; curve < walks_.size(); ++curve)
     for (std::size_t place = 0; place < walks_[curve].rows.size(); ++place) {
       Row& row = walks_[curve].rows[place];
-      if (row.end != RowEnd::open || row.next >= finenesses) continue;
+      if (row.end != RowEnd::open || row.next >= curves_[curve].finer.count) continue;
       const GridPoint point{curve, row.next, static_cast<int>(place)};
       const double work = predicted_work(point);
       if (work > most_seconds_) {
@@ -77,9 +70,8 @@ void GridWalk::record(const JudgedRun& run) {
   Row& row = walk.rows[place];
   row.next = current_.fineness + 1;
   if (run.diverged) return;
-  const Judged judged{run.errors,
-                      predicted_seconds(model_, curves_[current_.curve].settings.method, run.counts,
-                                        truth_.horizon() * current_.steps_per_second())};
+  const Judged judged{run.errors, predicted_seconds(model_, curves_[current_.curve].settings.method,
+                                                    run.counts, steps_at(current_))};
   row.last_work = judged.work;
   row.dominated = is_dominated(walk, judged) ? row.dominated + 1 : 0;
   row.stale = improve(row.best, run.errors) ? 0 : row.stale + 1;
@@ -95,15 +87,22 @@ void GridWalk::end_rows(CurveWalk& walk, std::size_t row) const {
     if (walk.rows[later].next == 0) walk.rows[later].end = RowEnd::off_front;
 }
 
+// Steps over the horizon.
+double GridWalk::steps_at(const GridPoint& point) const {
+  return truth_.horizon() *
+         settings_at_place(curves_[point.curve], point.fineness, point.row).steps_per_second();
+}
+
 // Twice the row's last point, or counted from nothing where there is none: direct solves take about three
 // rounds.
 double GridWalk::predicted_work(const GridPoint& point) const {
   const Row& row = walks_[point.curve].rows[static_cast<std::size_t>(point.row)];
   if (row.last_work < infinity) return 2.0 * row.last_work;
   constexpr std::int64_t rounds_of_direct_solves = 3;
-  const Curve& curve = curves_[point.curve];
-  return predicted_seconds(model_, curve.settings.method, truth_.horizon() * point.steps_per_second(),
-                           curve.relaxes ? point.passes() : rounds_of_direct_solves);
+  const MethodVariant& curve = curves_[point.curve];
+  return predicted_seconds(
+      model_, curve.settings.method, steps_at(point),
+      curve.passes ? static_cast<std::int64_t>(curve.passes->value(point.row)) : rounds_of_direct_solves);
 }
 
 // Whether a point of the curve that costs no more has at most half of every error, as far as it can be told.
@@ -137,10 +136,10 @@ bool GridWalk::cannot_be_told_from_truth(const Errors& errors) const {
 
 GridWalk::Counts GridWalk::counts() const {
   Counts counts;
-  for (const CurveWalk& walk : walks_)
-    for (const Row& row : walk.rows) {
+  for (std::size_t curve = 0; curve < walks_.size(); ++curve)
+    for (const Row& row : walks_[curve].rows) {
       counts.run += static_cast<std::size_t>(row.next);
-      const auto left = static_cast<std::size_t>(finenesses - row.next);
+      const auto left = static_cast<std::size_t>(curves_[curve].finer.count - row.next);
       switch (row.end) {
         case RowEnd::open:
           counts.open += left;

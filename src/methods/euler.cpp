@@ -126,6 +126,7 @@ Method euler_method() {
           "Ragdoll and Cloth Physics Simulation",
           params,
           can,
+          {4.0, 18.0, 0.0},
           make};
 }
 

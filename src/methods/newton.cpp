@@ -90,6 +90,7 @@ Method newton_method() {
           "Goldenthal et al. (2007); Deul et al. (2018)",
           params,
           can,
+          {8.0, 12.0, 0.5},
           make};
 }
 

@@ -249,6 +249,7 @@ Method rattle_method() {
           "Andersen, Rattle (1983); Yoshida (1990)",
           params,
           can,
+          {18.0, 11.0, 0.5},
           make,
           refusal};
 }

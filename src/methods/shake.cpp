@@ -164,6 +164,7 @@ Method shake_method() {
           "Ryckaert, Ciccotti and Berendsen (1977)",
           params,
           can,
+          {15.0, 5.0, 0.0},
           make,
           refusal};
 }

@@ -67,6 +67,7 @@ Method spring_explicit_method() {
           "Hairer, Lubich and Wanner, Geometric Numerical Integration (2006)",
           params,
           can,
+          {17.0, 0.0, 0.0},
           make};
 }
 

@@ -171,6 +171,7 @@ Method spring_implicit_method() {
           "Baraff and Witkin, Large Steps in Cloth Simulation (1998)",
           params,
           can,
+          {15.0, 0.0, 40.0},
           make};
 }
 

@@ -109,6 +109,7 @@ Method verlet_method() {
           "Jakobsen, Advanced Character Physics (2001)",
           params,
           can,
+          {5.0, 6.0, 0.0},
           make};
 }
 

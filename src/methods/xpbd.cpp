@@ -286,6 +286,7 @@ Method xpbd_method() {
           "Macklin et al., XPBD (2016); Small Steps in Physics Simulation (2019)",
           params,
           can,
+          {6.0, 6.0, 0.0},
           make,
           refusal};
 }

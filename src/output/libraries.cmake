@@ -1,4 +1,3 @@
 # External packages that only taut_output uses.
-find_package(nlohmann_json 3.11 REQUIRED)
 pkg_check_modules(ISAL REQUIRED IMPORTED_TARGET libisal)
 target_link_libraries(taut_output PRIVATE PkgConfig::ISAL nlohmann_json::nlohmann_json)

@@ -10,9 +10,9 @@
 #include "base/failure.h"
 #include "base/hash.h"
 #include "chart_json.h"
+#include "host/build_info.h"
 #include "measure/cost.h"
 #include "model/measures.h"
-#include "host/build_info.h"
 #include "study/case_store.h"
 #include "study/reference_cache.h"
 #include "study/scene_truth.h"
@@ -73,10 +73,11 @@ std::string inputs_of(const Scene& scene, const ChartRequest& request) {
   return hash.hex();
 }
 
-std::string key_of(const Curve& curve, const GridPoint& point) {
-  return curve.relaxes
-             ? fmt::format("{}, {} steps/s, {} passes", curve.name, point.steps_per_second(), point.passes())
-             : fmt::format("{}, {} steps/s", curve.name, point.steps_per_second());
+std::string key_of(const MethodVariant& curve, const GridPoint& point) {
+  const double rate = curve.finer.value(point.fineness);
+  return curve.passes
+             ? fmt::format("{}, {} steps/s, {} passes", curve.name, rate, curve.passes->value(point.row))
+             : fmt::format("{}, {} steps/s", curve.name, rate);
 }
 
 ChartCase run_case(const Scene& scene, const Truth& truth, const Settings& settings, double budget) {
@@ -110,7 +111,7 @@ Chart measure_chart(const Scene& scene, const ChartRequest& request, const std::
   chart.energy_scale = energy_scale(scene.model, scene.start);
   chart.budget = request.budget;
   chart.machine = this_machine();
-  Curves curves = curves_for(scene.model, scene.start, request.methods);
+  MethodVariants curves = variants_of(scene.model, scene.start, request.methods);
   chart.curves = std::move(curves.curves);
   chart.omissions = std::move(curves.omissions);
   CaseStore store(store_file, inputs_of(scene, request), request.overwrite);
@@ -124,12 +125,12 @@ Chart measure_chart(const Scene& scene, const ChartRequest& request, const std::
   const Stopwatch watch;
   progress.start(static_cast<int>(walk.counts().open));
   while (const std::optional<GridPoint> point = walk.next()) {
-    const Curve& curve = chart.curves[point->curve];
+    const MethodVariant& curve = chart.curves[point->curve];
     const std::string key = key_of(curve, *point);
     if (!store.has(key)) {
       chart.stopped = stop && stop();
       if (chart.stopped || watch.seconds() > request.budget) break;
-      const Settings settings = settings_at(curve, point->steps_per_second(), point->passes());
+      const Settings settings = settings_at_place(curve, point->fineness, point->row);
       store.add(key, case_to_json(run_case(scene, chart.truth, settings, request.budget)).dump());
     }
     chart.cases.push_back(case_from_json(store.result(key), *point));

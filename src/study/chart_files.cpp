@@ -50,7 +50,7 @@ std::vector<std::size_t> line_of(const std::vector<const ChartCase*>& cases, Err
 }
 
 FigureCurve curve_of(const Chart& chart, std::size_t place, ErrorKind kind, Cost cost) {
-  const Curve& curve = chart.curves[place];
+  const MethodVariant& curve = chart.curves[place];
   FigureCurve drawn;
   drawn.name = curve.name;
   drawn.colour = curve.method;
@@ -68,9 +68,9 @@ FigureCurve curve_of(const Chart& chart, std::size_t place, ErrorKind kind, Cost
 }
 
 std::string settings_label(const Chart& chart, const ChartCase& done) {
-  const Curve& curve = chart.curves[done.point.curve];
+  const MethodVariant& curve = chart.curves[done.point.curve];
   std::string label = fmt::format("{} {}/s", curve.name, done.settings.steps_per_second());
-  if (done.point.row > 0) label += fmt::format(" × {}", done.point.passes());
+  if (done.point.row > 0) label += fmt::format(" × {}", curve.passes->value(done.point.row));
   return label;
 }
 

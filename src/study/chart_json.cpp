@@ -77,7 +77,7 @@ ChartCase case_from_json(const std::string& text, const GridPoint& point) {
 std::string chart_json(const Chart& chart) {
   Json errors = Json::array(), curves = Json::array(), cases = Json::array();
   for (const ErrorKind kind : chart.errors) errors.push_back(name_of(kind));
-  for (const Curve& curve : chart.curves)
+  for (const MethodVariant& curve : chart.curves)
     curves.push_back({{"name", curve.name}, {"method", curve.settings.method}, {"colour", curve.method}});
   for (const ChartCase& done : chart.cases) cases.push_back(named_case(chart, done));
   const GridWalk::Counts& counts = chart.counts;

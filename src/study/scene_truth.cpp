@@ -102,8 +102,8 @@ Truth from_json(const Json& json, const State& start) {
 constexpr double enough = 0.25;
 
 bool one_method_alone(const Model& model, const State& start) {
-  const std::vector<Curve> curves = curves_for(model, start).curves;
-  return std::ranges::all_of(curves, [&](const Curve& curve) { return curve.method == curves[0].method; });
+  const std::vector<MethodVariant> curves = variants_of(model, start).curves;
+  return std::ranges::all_of(curves, [&](const MethodVariant& curve) { return curve.method == curves[0].method; });
 }
 
 // The motion that two methods agree on, events and all, as finely as they do over a time of some use: first,

@@ -4,9 +4,9 @@
 #include <map>
 
 #include "measure/exact.h"
-#include "model/measures.h"
 #include "measure/work_precision.h"
 #include "model/description.h"
+#include "model/measures.h"
 
 namespace taut {
 namespace {
@@ -73,12 +73,12 @@ TEST(JudgedRun, ErrorsAreMeasuredInTheSceneSize) {
 TEST(JudgedRun, OrdersOfConvergenceShow) {
   const Built built = pendulum();
   const Truth truth = pendulum_truth(built);
-  const auto error = [&](const Curve& curve, double rate) {
+  const auto error = [&](const MethodVariant& curve, double rate) {
     return *judge_run(built.model, built.start, truth, settings_at(curve, rate, 1))
                 .errors[ErrorKind::trajectory];
   };
   std::map<std::string, double> orders;
-  for (const Curve& curve : curves_for(built.model, built.start).curves)
+  for (const MethodVariant& curve : variants_of(built.model, built.start).curves)
     orders[curve.name] = std::log2(error(curve, 480.0) / error(curve, 960.0));
   EXPECT_NEAR(orders.at("verlet"), 1.0, 0.2);
   EXPECT_NEAR(orders.at("shake"), 2.0, 0.2);
@@ -86,9 +86,9 @@ TEST(JudgedRun, OrdersOfConvergenceShow) {
   EXPECT_NEAR(orders.at("rattle order 4"), 4.0, 0.4);
 }
 
-TEST(Curves, SayWhatIsLeftOutAndWhy) {
+TEST(MethodVariants, SayWhatIsLeftOutAndWhy) {
   const Built built = pendulum();
-  const Curves curves = curves_for(built.model, built.start, {"spring-implicit", "rattle"});
+  const MethodVariants curves = variants_of(built.model, built.start, {"spring-implicit", "rattle"});
   ASSERT_EQ(curves.curves.size(), 2U);
   EXPECT_EQ(curves.curves[0].name, "rattle order 2");
   EXPECT_EQ(curves.curves[1].name, "rattle order 4");
@@ -98,21 +98,20 @@ TEST(Curves, SayWhatIsLeftOutAndWhy) {
 
 // What a walk does, as text.
 std::vector<std::string> walked(const Built& built, const Truth& truth, double most_seconds) {
-  const std::vector<Curve> curves = curves_for(built.model, built.start).curves;
+  const std::vector<MethodVariant> curves = variants_of(built.model, built.start).curves;
   GridWalk walk(built.model, curves, truth, most_seconds);
   std::vector<std::string> points;
   while (const auto point = walk.next()) {
-    const Curve& curve = curves[point->curve];
-    points.push_back(curve.name + " " + std::to_string(point->steps_per_second()) + " " +
-                     std::to_string(point->passes()));
-    walk.record(judge_run(built.model, built.start, truth,
-                          settings_at(curve, point->steps_per_second(), point->passes())));
+    const MethodVariant& curve = curves[point->curve];
+    points.push_back(curve.name + " " + std::to_string(point->fineness) + " " + std::to_string(point->row));
+    walk.record(
+        judge_run(built.model, built.start, truth, settings_at_place(curve, point->fineness, point->row)));
   }
   const GridWalk::Counts counts = walk.counts();
   EXPECT_EQ(counts.run, points.size());
   EXPECT_EQ(counts.open, 0U);
   std::size_t all = 0;
-  for (const Curve& curve : curves) all += curve.relaxes ? 75 : 15;
+  for (const MethodVariant& curve : curves) all += curve.relaxes() ? 75 : 15;
   EXPECT_EQ(counts.run + counts.off_front + counts.no_gain + counts.too_dear, all)
       << "every point is accounted for";
   return points;
@@ -134,13 +133,13 @@ TEST(GridWalk, GoesTheSameWayTwiceRunsNoPointTwiceAndStopsAtItsLimit) {
 TEST(GridWalk, GivesUpPassesThatDoNotPay) {
   const Built built = pendulums(40);
   const Truth truth = pendulum_truth(built);
-  const std::vector<Curve> curves = curves_for(built.model, built.start, {"verlet"}).curves;
+  const std::vector<MethodVariant> curves = variants_of(built.model, built.start, {"verlet"}).curves;
   GridWalk walk(built.model, curves, truth, 1e-2);
   std::size_t dear = 0;
   while (const auto point = walk.next()) {
     dear += point->row >= 2;
     walk.record(judge_run(built.model, built.start, truth,
-                          settings_at(curves[0], point->steps_per_second(), point->passes())));
+                          settings_at_place(curves[0], point->fineness, point->row)));
   }
   EXPECT_LE(dear, 6U);
   EXPECT_GT(walk.counts().off_front, 30U);

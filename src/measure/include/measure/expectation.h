@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "motion/run_measures.h"
-#include "view/expectation.h"
 #include "model/model.h"
 #include "model/state.h"
+#include "motion/run_measures.h"
+#include "view/expectation.h"
 
 namespace taut {
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,27 +11,43 @@
 
 namespace taut {
 
-/// A curve of a chart: a method with one choice for each of its parameters that are words.
-struct Curve {
-  std::string name;        ///< the method, and the choice where it has one: "rattle order 4"
-  Settings settings;       ///< complete; steps and passes as the method has them by default
-  bool relaxes = false;    ///< makes passes, and they matter for the model
-  std::size_t method = 0;  ///< place in the registry
+/// A parameter that a chart varies, at values of equal ratio.
+struct ChartAxis {
+  std::string param;
+  double first = 1.0, ratio = 2.0;
+  int count = 1;
+
+  double value(int place) const;  ///< first · ratio^place
 };
 
-/// The curves that a model can have, and a sentence for each that it can't.
-struct Curves {
-  std::vector<Curve> curves;
+/// A method with one choice for each of its parameters that are words, and what a chart varies of it: one
+/// curve.
+struct MethodVariant {
+  std::string name;                 ///< the method, and the choice where it has one: "rattle order 4"
+  Settings settings;                ///< complete; what is varied as the method has it by default
+  Capabilities can;                 ///< the method's
+  std::size_t method = 0;           ///< place in the registry
+  ChartAxis finer;                  ///< from coarse to fine: steps per second, or a tolerance
+  std::optional<ChartAxis> passes;  ///< where the method makes passes, and they matter for the model
+
+  bool relaxes() const { return passes.has_value(); }
+};
+
+/// The variants that a model can be run by, and a sentence for each that it can't.
+struct MethodVariants {
+  std::vector<MethodVariant> curves;
   std::vector<std::string> omissions;
 };
 
-/// Every method of the registry with every choice of its worded parameters; those left out that can't do what
-/// the model needs. `methods` names those wanted; empty: all. Throws BadRequest for a name that is no
-/// method's.
-Curves curves_for(const Model& model, const State& start,
-                  const std::vector<std::string>& methods = {});
+/// Every method of the registry with every choice of its worded parameters; those left out that refuse the
+/// model. `methods` names those wanted; empty: all. Throws BadRequest for a name that is no method's.
+MethodVariants variants_of(const Model& model, const State& start,
+                           const std::vector<std::string>& methods = {});
 
-/// The curve's settings with a step and, where it relaxes, passes.
-Settings settings_at(const Curve& curve, double steps_per_second, int passes);
+/// The variant's settings with a step and, where it relaxes, passes.
+Settings settings_at(const MethodVariant& variant, double steps_per_second, int passes);
+
+/// The variant's settings at places along its axes.
+Settings settings_at_place(const MethodVariant& variant, int fineness, int row);
 
 }  // namespace taut

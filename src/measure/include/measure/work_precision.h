@@ -9,24 +9,21 @@
 #include "base/stop.h"
 #include "measure/method_variants.h"
 #include "measure/truth.h"
-#include "motion/run_policy.h"
 #include "methods/method.h"
 #include "model/model.h"
 #include "model/state.h"
+#include "motion/run_policy.h"
 
 namespace taut {
 
 // Work–precision: how much work each method needs for how much accuracy. (Hairer, Nørsett and Wanner, Solving
 // Ordinary Differential Equations I, section II.10.)
 
-/// One point of the grid over steps and passes.
+/// One point of the grid over a variant's axes.
 struct GridPoint {
-  std::size_t curve = 0;  ///< its place in the list of curves
-  int fineness = 0;       ///< 60 · 2^fineness steps per second
-  int row = 0;            ///< 4^row passes
-
-  double steps_per_second() const;
-  int passes() const;
+  std::size_t curve = 0;  ///< its place in the list of variants
+  int fineness = 0;       ///< its place along MethodVariant::finer
+  int row = 0;            ///< and along MethodVariant::passes
 };
 
 /// What one run of a point gave.
@@ -52,7 +49,7 @@ JudgedRun judge_run(const Model& model, const State& start, const Truth& truth, 
 class GridWalk {
  public:
   /// Refers to the model from then on. `most_seconds`: of a single run, as predicted_seconds() has it.
-  GridWalk(const Model& model, std::vector<Curve> curves, Truth truth, double most_seconds);
+  GridWalk(const Model& model, std::vector<MethodVariant> curves, Truth truth, double most_seconds);
 
   /// The next point to run; nothing at the end.
   std::optional<GridPoint> next();
@@ -86,6 +83,7 @@ class GridWalk {
     std::vector<Judged> judged;
   };
 
+  double steps_at(const GridPoint& point) const;
   double predicted_work(const GridPoint& point) const;
   bool is_dominated(const CurveWalk& walk, const Judged& judged) const;
   bool improve(Errors& best, const Errors& errors) const;
@@ -93,7 +91,7 @@ class GridWalk {
   void end_rows(CurveWalk& walk, std::size_t row) const;
 
   const Model& model_;
-  std::vector<Curve> curves_;
+  std::vector<MethodVariant> curves_;
   Truth truth_;
   double most_seconds_;
   std::vector<CurveWalk> walks_;

@@ -109,6 +109,14 @@ class Stepper {
   virtual const State& store() = 0;
 };
 
+/// What a method costs on a usual processor (ns): what searches and charts predict times from before they
+/// measure them.
+struct Prices {
+  double step = 10.0;   ///< a link, of every step
+  double solve = 10.0;  ///< one of StepReport::link_solves
+  double factor = 2.0;  ///< of a factorisation, to be multiplied by rows^1.5
+};
+
 /// One entry of the registry.
 struct Method {
   std::string_view name;
@@ -116,6 +124,7 @@ struct Method {
   std::string_view source;  ///< paper or book
   std::span<const Param> params;
   Capabilities can;
+  Prices prices;
   /// For a model and settings that refusals() has nothing against.
   std::unique_ptr<Stepper> (*make)(const Model&, const Settings&, const Execution&);
   /// What, beside the capabilities, the method refuses to do: a sentence, or nothing. Absent: it never

@@ -45,7 +45,7 @@ struct Chart {
   double energy_scale = 0.0;  ///< J
   Truth truth;
   std::vector<ErrorKind> errors;
-  std::vector<Curve> curves;
+  std::vector<MethodVariant> curves;
   std::vector<std::string> omissions;
   std::vector<ChartCase> cases;  ///< in the order in which they were run
   GridWalk::Counts counts;

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace taut {
+
+/// What a command line asks for; gives the exit status.
+using Action = std::function<int()>;
+
+/// One of a verb's options, flags or arguments. Each call changes it and gives it back.
+class Flag {
+ public:
+  explicit Flag(CLI::Option& option) : option_(&option) {}
+
+  Flag* required();
+  /// The help shows the value that its variable has now.
+  Flag* capture_default_str();
+  /// Whether one mention may be followed by several values.
+  Flag* allow_extra_args(bool allowed);
+  /// What separates the values of a list.
+  Flag* delimiter(char separator);
+  /// Both together are an error.
+  Flag* excludes(const Flag* other);
+
+ private:
+  CLI::Option* option_;
+};
+
+/// A verb with its flags and its help. The variables behind the flags must live until the verb's action ran;
+/// names read "-o,--output" for an option and "SCENE" for an argument.
+class Verb {
+ public:
+  explicit Verb(CLI::App& parser) : parser_(&parser) {}
+
+  Flag* add_option(const std::string& names, std::string& value, const std::string& help);
+  Flag* add_option(const std::string& names, std::vector<std::string>& values, const std::string& help);
+  Flag* add_flag(const std::string& names, bool& value, const std::string& help);
+  /// Text below the flags in the help.
+  void footer(const std::string& text);
+  /// What the verb does.
+  void action(Action does) { action_ = std::move(does); }
+
+  const CLI::App& parser() const { return *parser_; }
+  const Action& action() const { return action_; }
+
+ private:
+  CLI::App* parser_;
+  std::deque<Flag> flags_;
+  Action action_;
+};
+
+/// The verbs, and the parser that chooses among them; the parser itself is known to command_line.cpp alone.
+class CommandLine {
+ public:
+  CommandLine(const std::string& name, const std::string& description, const std::string& version);
+  ~CommandLine();
+  CommandLine(const CommandLine&) = delete;
+  CommandLine& operator=(const CommandLine&) = delete;
+
+  Verb* add_subcommand(const std::string& name, const std::string& help);
+  void footer(const std::string& text);
+  /// Carries out what the arguments ask for, or prints help or version, and gives the exit status. Throws
+  /// BadRequest where they make no sense.
+  int run(int argument_count, char** arguments);
+
+ private:
+  std::unique_ptr<CLI::App> program_;
+  std::deque<Verb> verbs_;
+};
+
+}  // namespace taut
