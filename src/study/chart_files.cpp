@@ -114,16 +114,19 @@ std::string ranges_of(std::vector<double> rates) {
 }
 
 std::string diverged_note(const Chart& chart) {
-  std::map<std::pair<std::size_t, int>, std::vector<double>> by_row;  // of curve and passes
+  std::map<std::pair<std::size_t, int>, std::vector<double>> by_row;  // of curve and row of passes
   for (const ChartCase& done : chart.cases)
     if (done.run.diverged)
-      by_row[{done.point.curve, done.point.passes()}].push_back(done.settings.steps_per_second());
+      by_row[{done.point.curve, done.point.row}].push_back(done.settings.steps_per_second());
   if (by_row.empty()) return "No run diverged.";
   std::vector<std::string> parts;
   parts.reserve(by_row.size());
-  for (const auto& [row, rates] : by_row)
-    parts.push_back(fmt::format("{} {}{}", chart.curves[row.first].name, ranges_of(rates),
-                                row.second > 1 ? fmt::format(" × {}", row.second) : ""));
+  for (const auto& [row, rates] : by_row) {
+    const MethodVariant& curve = chart.curves[row.first];
+    parts.push_back(
+        fmt::format("{} {}{}", curve.name, ranges_of(rates),
+                    row.second > 0 ? fmt::format(" × {}", curve.passes->value(row.second)) : ""));
+  }
   return fmt::format("Diverged or refused (steps/s × passes): {}.", fmt::join(parts, "; "));
 }
 
