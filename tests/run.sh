@@ -17,20 +17,6 @@ build() {
   cmake --build --preset "$1" -- --quiet
 }
 
-# What was clean once is not looked at again until it, a header or the list of checks changes.
-lint() {
-  local seen=build/tested/lint-seen headers
-  mkdir -p "$seen"
-  headers=$({ cat .clang-tidy; files '*.h' app src | sort --zero-terminated | xargs --null cat; } | sha256sum)
-  export seen headers
-  # shellcheck disable=SC2016  # for the shells that xargs starts
-  files '*.cpp' app src | xargs --null --max-procs=2 --max-args=1 bash -c '
-    mark=$seen/$({ echo "$headers"; cat "$1"; } | sha256sum | cut --characters=1-32)
-    [ -e "$mark" ] && exit
-    clang-tidy -p build/tested --quiet "$1" 2>/dev/null || exit 1
-    touch "$mark"' lint
-}
-
 bash app/setup.sh test
 
 say "checking the format"
@@ -48,7 +34,7 @@ build tested
 
 if [ -z "${TAUT_SKIP_LINT:-}" ]; then
   say "looking for lint"
-  lint
+  bash tests/lint.sh
 fi
 
 say "testing"
