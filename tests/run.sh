@@ -4,6 +4,8 @@
 #
 #   TAUT_SKIP_LINT=1         without clang-tidy
 #   TAUT_SKIP_SANITIZERS=1   without the tests under the sanitizers
+#   TAUT_THREAD_SANITIZER=1  also the tests of all that has threads (frames, films, charts, maps) under the thread
+#                            sanitizer: a build of its own, too long for every day
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -12,9 +14,13 @@ say() { echo "run.sh: $*" >&2; }
 # Names of files under some folders, each ended by a zero byte.
 files() { find "${@:2}" -name "$1" -type f -print0; }
 
+# Runs of tests, by the names that tests/list_tests.cmake gives them, of what has threads.
+threaded='^(unit\.(Simulation|MapColumn)|cli\..*(Render|Film|Compare|Chart|Stability|Interrupted|Killed|Failed))'
+
+# Configures and builds a preset: all of it, or what is named.
 build() {
   cmake --preset "$1" --log-level=WARNING >/dev/null
-  cmake --build --preset "$1" -- --quiet
+  cmake --build --preset "$1" "${@:2}" -- --quiet
 }
 
 bash app/setup.sh test
@@ -27,6 +33,13 @@ if [ -z "${TAUT_SKIP_SANITIZERS:-}" ]; then
   build asan
   say "testing with sanitizers"
   ctest --preset asan --parallel 2
+fi
+
+if [ -n "${TAUT_THREAD_SANITIZER:-}" ]; then
+  say "building with the thread sanitizer"
+  build tsan --target unit_tests cli_tests
+  say "testing with the thread sanitizer"
+  ctest --preset tsan --parallel 2 --tests-regex "$threaded"
 fi
 
 say "building"
