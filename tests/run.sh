@@ -4,6 +4,8 @@
 #
 #   TAUT_SKIP_LINT=1         without clang-tidy
 #   TAUT_SKIP_SANITIZERS=1   without the tests under the sanitizers
+#   TAUT_THREAD_SANITIZER=1  also the tests of all that has threads (frames, films, charts, maps) under the thread
+#                            sanitizer: a build of its own, too long for every day
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -12,23 +14,13 @@ say() { echo "run.sh: $*" >&2; }
 # Names of files under some folders, each ended by a zero byte.
 files() { find "${@:2}" -name "$1" -type f -print0; }
 
+# Runs of tests, by the names that tests/list_tests.cmake gives them, of what has threads.
+threaded='^(unit\.(Simulation|MapColumn)|cli\..*(Render|Film|Compare|Chart|Stability|Interrupted|Killed|Failed))'
+
+# Configures and builds a preset: all of it, or what is named.
 build() {
   cmake --preset "$1" --log-level=WARNING >/dev/null
-  cmake --build --preset "$1" -- --quiet
-}
-
-# What was clean once is not looked at again until it, a header or the list of checks changes.
-lint() {
-  local seen=build/tested/lint-seen headers
-  mkdir -p "$seen"
-  headers=$({ cat .clang-tidy; files '*.h' app src | sort --zero-terminated | xargs --null cat; } | sha256sum)
-  export seen headers
-  # shellcheck disable=SC2016  # for the shells that xargs starts
-  files '*.cpp' app src | xargs --null --max-procs=2 --max-args=1 bash -c '
-    mark=$seen/$({ echo "$headers"; cat "$1"; } | sha256sum | cut --characters=1-32)
-    [ -e "$mark" ] && exit
-    clang-tidy -p build/tested --quiet "$1" 2>/dev/null || exit 1
-    touch "$mark"' lint
+  cmake --build --preset "$1" "${@:2}" -- --quiet
 }
 
 bash app/setup.sh test
@@ -43,12 +35,19 @@ if [ -z "${TAUT_SKIP_SANITIZERS:-}" ]; then
   ctest --preset asan --parallel 2
 fi
 
+if [ -n "${TAUT_THREAD_SANITIZER:-}" ]; then
+  say "building with the thread sanitizer"
+  build tsan --target unit_tests cli_tests
+  say "testing with the thread sanitizer"
+  ctest --preset tsan --parallel 2 --tests-regex "$threaded"
+fi
+
 say "building"
 build tested
 
 if [ -z "${TAUT_SKIP_LINT:-}" ]; then
   say "looking for lint"
-  lint
+  bash tests/lint.sh
 fi
 
 say "testing"

@@ -1,0 +1,47 @@
+# Writes, for ctest, the tests of a GoogleTest program: those of a suite together, up to eight to a run, because
+# to start a program of ours (it loads an OpenGL with a compiler of its own) takes longer than most tests do.
+# A run is named after its suite, and numbered where there are more.
+set(most 8)
+execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE lines COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX REPLACE ";" "" lines "${lines}")
+string(REPLACE "\n" ";" lines "${lines}")
+set(text "")
+
+function(add_run suite number tests)
+  set(name "${LABEL}.${suite}")
+  if(number GREATER 1)
+    string(APPEND name "-${number}")
+  endif()
+  list(JOIN tests ":" filter)
+  set(text
+      "${text}add_test([=[${name}]=] [=[${PROGRAM}]=] [=[--gtest_filter=${filter}]=] --gtest_brief=1)
+set_tests_properties([=[${name}]=] PROPERTIES LABELS ${LABEL} TIMEOUT 600
+  ENVIRONMENT \"LSAN_OPTIONS=suppressions=${LEAKS}:print_suppressions=0\")\n"
+      PARENT_SCOPE)
+endfunction()
+
+set(tests "")
+set(number 1)
+foreach(line IN LISTS lines)
+  string(REGEX REPLACE " *#.*$" "" line "${line}")
+  if(line MATCHES "^  (.+)$")
+    list(LENGTH tests length)
+    if(length EQUAL most)
+      add_run(${suite} ${number} "${tests}")
+      math(EXPR number "${number} + 1")
+      set(tests "")
+    endif()
+    list(APPEND tests "${suite}.${CMAKE_MATCH_1}")
+  elseif(line MATCHES "^(.+)\\.$")
+    if(tests)
+      add_run(${suite} ${number} "${tests}")
+    endif()
+    set(suite ${CMAKE_MATCH_1})
+    set(number 1)
+    set(tests "")
+  endif()
+endforeach()
+if(tests)
+  add_run(${suite} ${number} "${tests}")
+endif()
+file(WRITE ${LISTED} "${text}")
