@@ -10,8 +10,8 @@
 #include "base/failure.h"
 #include "base/nearest.h"
 #include "exit_status.h"
-#include "methods/registry.h"
 #include "host/scene_folder.h"
+#include "methods/registry.h"
 #include "scene/scene.h"
 #include "verbs.h"
 
@@ -55,7 +55,8 @@ Json method_to_json(const Method& method) {
             {"colliders", method.can.colliders},
             {"drag", method.can.drag},
             {"break_stretch", method.can.break_stretch},
-            {"break_tension", method.can.break_tension}}}};
+            {"break_tension", method.can.break_tension},
+            {"tension_order", method.can.tension_order}}}};
 }
 
 void print_param(const Param& param) {

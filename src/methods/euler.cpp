@@ -119,6 +119,7 @@ Method euler_method() {
   can.limit = StepLimit::kept_velocities;
   can.plane = true;
   can.break_stretch = true;
+  can.tension_order = 0;
   can.between_steps = Interpolation::linear;
   return {"euler",
           "semi-implicit Euler, links set in place (the base line)",

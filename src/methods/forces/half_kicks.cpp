@@ -4,6 +4,7 @@
 
 #include "base/failure.h"
 #include "forces/forces.h"
+#include "forces/free_acceleration.h"
 
 namespace taut {
 
@@ -39,9 +40,19 @@ void HalfKicks::end(const State& whole, double time, double half, const Vectors&
     blow(model_, whole, position, guess_, time, half, velocity, DragAt::start);
   }
   kick_by_springs(springs_, half, position, meet_velocity() ? guess_ : velocity, velocity, spring_tension_);
+  keep_tensions(tension);
+  kick(model_, time, half, velocity, velocity);
+}
+
+void HalfKicks::accelerations(const State& whole, double time, const Vectors& position,
+                              const Vectors& velocity, Vectors& acceleration, std::vector<double>& tension) {
+  free_accelerations(model_, whole, springs_, time, position, velocity, acceleration, spring_tension_);
+  keep_tensions(tension);
+}
+
+void HalfKicks::keep_tensions(std::vector<double>& tension) const {
   for (std::size_t i = 0; i < springs_.links.size(); ++i)
     tension[springs_.links.link[i]] = spring_tension_[i];
-  kick(model_, time, half, velocity, velocity);
 }
 
 }  // namespace taut
