@@ -12,6 +12,7 @@
 #include "exit_status.h"
 #include "explain.h"
 #include "flags.h"
+#include "frames/colouring.h"
 #include "frames/simulation.h"
 #include "host/signals.h"
 #include "measure/expectation.h"
@@ -67,7 +68,7 @@ void check_run(const Scene& scene, const StopTest& stop, Verdict& verdict) {
   verdict.json["steps"] = simulation.steps();
   verdict.json["state_hash"] = fmt::format("{:016x}", state_hash(*end));
   const RunMeasures measures = simulation.measures(*end);
-  verdict.json["measures"] = measures_to_json(measures, scene.model);
+  verdict.json["measures"] = measures_to_json(measures, scene);
   verdict.json["findings"] = Json::array();
   for (const Finding& finding : check_expectation(scene.expectation, scene.model, *end, measures)) {
     verdict.json["findings"].push_back(finding_to_json(finding));
@@ -94,6 +95,7 @@ Verdict check_scene(const std::string& argument, const CheckFlags& flags, const 
   try {
     Scene scene = load(argument, flags.changes.overrides());
     settle_method(scene, {}, flags.changes.method, flags.quiet);
+    require_colours(scene);
     describe(scene, verdict.json);
     if (flags.resolved) verdict.json["resolved"] = resolved_toml(scene);
     if (flags.explain) {
@@ -129,11 +131,13 @@ void print_reference(const Json& reference) {
 
 void print_measures(const Json& measures) {
   const auto number = [&](const char* key) { return measures[key].get<double>(); };
+  const std::string tension =
+      measures["largest_tension"].is_null() ? "unknown" : fmt::format("{:.4g} N", number("largest_tension"));
   fmt::print(
-      "  at {:.4g} s: strain {:.3g}, tension {:.4g} N, energy error {:.3g} of the scale, sag {:.4g} m, {} "
+      "  at {:.4g} s: strain {:.3g}, tension {}, energy error {:.3g} of the scale, sag {:.4g} m, {} "
       "broken\n",
-      number("time"), measures["strain"]["largest"].get<double>(), number("largest_tension"),
-      number("energy_error"), number("sag"), measures["broken_links"].get<std::int64_t>());
+      number("time"), measures["strain"]["largest"].get<double>(), tension, number("energy_error"),
+      number("sag"), measures["broken_links"].get<std::int64_t>());
   fmt::print("  cost: {} link solves in {} rounds, {} factorisations, {} halvings\n",
              measures["link_solves"].get<std::int64_t>(), measures["rounds"].get<std::int64_t>(),
              measures["factorisations"].get<std::int64_t>(), measures["halvings"].get<std::int64_t>());

@@ -9,6 +9,7 @@
 #include "base/split.h"
 #include "command_line.h"
 #include "flags.h"
+#include "frames/colouring.h"
 #include "output_flags.h"
 #include "verbs.h"
 
@@ -31,6 +32,8 @@ Scene load_for(const CompareFlags& flags, const std::string& method) {
   for (std::size_t i = 1; i < parts.size(); ++i) sets.push_back(fmt::format("solve.{}", parts[i]));
   Scene scene = load(flags.scene, {sets, std::string(parts.front())});
   flags.output.picture.apply_to(scene);
+  // What the scene asks for may be left out of a picture; what the command line asks for may not.
+  if (!flags.output.picture.colour.empty()) require_colours(scene);
   return scene;
 }
 

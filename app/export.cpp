@@ -12,7 +12,9 @@
 #include "flags.h"
 #include "frames/frame_selection.h"
 #include "frames/simulation.h"
+#include "frames/still.h"
 #include "host/signals.h"
+#include "methods/registry.h"
 #include "output/atomic_file.h"
 #include "output/csv.h"
 #include "planning.h"
@@ -49,6 +51,7 @@ std::vector<Instant> instants(const ExportFlags& flags, const Scene& scene) {
       throw BadRequest(fmt::format("--times must rise from 0 s on, and {} s does not", time));
     result.push_back({static_cast<int>(result.size()) + 1, time});
   }
+  check_times(scene, {result.back().time});
   return result;
 }
 
@@ -94,12 +97,17 @@ std::string header(Table table) {
   return {};
 }
 
+// A method knows tensions once it has made a step, or never.
+bool tension_known(const Scene& scene, const State& state) {
+  return find_method(scene.settings.method)->can.tension_order > 0 && state.time > scene.start.time;
+}
+
 std::string rows(Table table, const Scene& scene, const State& state, int frame) {
   switch (table) {
     case Table::masses:
       return mass_table_rows(scene.model, state, frame);
     case Table::links:
-      return link_table_rows(scene.model, state, frame);
+      return link_table_rows(scene.model, state, frame, tension_known(scene, state));
     case Table::orientations:
       return orientation_table_rows(scene.model, scene.start, state, frame);
   }

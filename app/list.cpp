@@ -56,7 +56,8 @@ Json method_to_json(const Method& method) {
             {"colliders", method.can.colliders},
             {"drag", method.can.drag},
             {"break_stretch", method.can.break_stretch},
-            {"break_tension", method.can.break_tension}}}};
+            {"break_tension", method.can.break_tension},
+            {"tension_order", method.can.tension_order}}}};
 }
 
 void print_param(const Param& param) {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "methods/registry.h"
+
 namespace taut {
 namespace {
 
@@ -31,10 +33,11 @@ Json strain_to_json(const Strain& strain, const Model& model) {
 
 }  // namespace
 
-Json measures_to_json(const RunMeasures& measures, const Model& model) {
+Json measures_to_json(const RunMeasures& measures, const Scene& scene) {
+  const bool tension_known = find_method(scene.settings.method)->can.tension_order > 0;
   return {{"time", measures.time},
-          {"strain", strain_to_json(measures.strain, model)},
-          {"largest_tension", measures.largest_tension},
+          {"strain", strain_to_json(measures.strain, scene.model)},
+          {"largest_tension", tension_known ? Json(measures.largest_tension) : Json(nullptr)},
           {"energy_at_start", energy_to_json(measures.energy_at_start)},
           {"energy", energy_to_json(measures.energy)},
           {"pin_work", measures.pin_work},

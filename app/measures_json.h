@@ -2,12 +2,13 @@
 
 #include <nlohmann/json.hpp>
 
-#include "model/model.h"
 #include "motion/run_measures.h"
+#include "scene/scene.h"
 
 namespace taut {
 
-/// What was measured of a run, for machines; every number is SI.
-nlohmann::ordered_json measures_to_json(const RunMeasures& measures, const Model& model);
+/// What was measured of a scene's run, for machines; every number is SI, and null where its method does not
+/// know it.
+nlohmann::ordered_json measures_to_json(const RunMeasures& measures, const Scene& scene);
 
 }  // namespace taut

@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 
 // A method, and what came of it.
 Json take_to_json(const Scene& scene, const TakeOutcome& take) {
-  Json json{{"method", scene.settings.method}, {"measures", measures_to_json(take.measures, scene.model)}};
+  Json json{{"method", scene.settings.method}, {"measures", measures_to_json(take.measures, scene)}};
   if (!take.failure.empty()) json["failure"] = take.failure;
   return json;
 }
@@ -43,7 +43,7 @@ void print_json(std::span<const Scene> scenes, const RenderRequest& request, con
     for (std::size_t i = 0; i < outcome.takes.size(); ++i)
       json["methods"].push_back(take_to_json(scenes[i], outcome.takes[i]));
   } else if (!outcome.takes.empty()) {
-    json["measures"] = measures_to_json(outcome.takes.front().measures, scenes.front().model);
+    json["measures"] = measures_to_json(outcome.takes.front().measures, scenes.front());
   }
   if (plan) json["plan"] = plan_to_json(*plan);
   if (request.folder) json["folder"] = request.folder->string();

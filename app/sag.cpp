@@ -8,6 +8,7 @@
 #include "command_line.h"
 #include "exit_status.h"
 #include "flags.h"
+#include "frames/colouring.h"
 #include "host/progress.h"
 #include "host/signals.h"
 #include "output/gnuplot.h"
@@ -49,7 +50,9 @@ SceneOverrides sag_overrides(const SceneFlags& flags) {
 
 int sag(const SagFlags& flags) {
   const std::vector<int> passes = parse_passes(flags.passes);
-  const Scene scene = load(flags.scene.scene, sag_overrides(flags.scene));
+  Scene scene = load(flags.scene.scene, sag_overrides(flags.scene));
+  flags.picture.apply_to(scene);
+  if (!flags.picture.colour.empty()) require_colours(scene);
   const PictureSettings settings = flags.picture.settings(usual_panel);
   const std::string folder = flags.folder.empty() ? "out/" + scene.name + "-sag" : flags.folder;
   require_gnuplot();

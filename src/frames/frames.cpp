@@ -11,11 +11,12 @@
 #include <utility>
 
 #include "bounded_queue.h"
-#include "output/film.h"
-#include "render_job.h"
+#include "frames/colouring.h"
 #include "frames/frame_selection.h"
 #include "frames/panels.h"
+#include "output/film.h"
 #include "panel_runs.h"
+#include "render_job.h"
 
 namespace taut {
 namespace {
@@ -134,6 +135,7 @@ Image Pipeline::picture(const Posed& posed, PanelPainter& painter) const {
     panel.title = take_title(scenes_[i]);
     panel.lines = posed.lines[i];
     panel.failed = !posed.takes[i].failure.empty();
+    panel.plain = !colour_problem(scenes_[i]).empty();
   }
   return painter.draw(panels);
 }

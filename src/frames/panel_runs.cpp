@@ -7,6 +7,7 @@
 #include "base/digits.h"
 #include "base/failure.h"
 #include "base/hash.h"
+#include "frames/colouring.h"
 #include "methods/registry.h"
 
 namespace taut {
@@ -54,6 +55,8 @@ std::vector<std::string> take_lines(const Scene& scene, const RunMeasures& measu
                                     const std::string& failure) {
   if (!failure.empty()) return {fmt::format("went no further than {:.3g} s", measures.time)};
   std::vector<std::string> lines{"strain " + percent(measures.strain.largest)};
+  if (scene.look.colour_by == ColourBy::tension && !colour_problem(scene).empty())
+    lines.push_back("tension unknown");
   if (scene.model.drag == 0.0)
     lines.push_back(fmt::format("energy {}{}", measures.energy_error < 0.0 ? "−" : "+",
                                 percent(std::abs(measures.energy_error))));

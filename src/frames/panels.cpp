@@ -44,19 +44,29 @@ Size sheet_size(Size panel, std::size_t count) {
 }
 
 PanelPainter::PanelPainter(const Scene& scene, const PictureSettings& settings)
-    : painter_(scene, settings), settings_(settings) {}
+    : scene_(scene), painter_(scene, settings), settings_(settings) {}
 
 PanelPainter::~PanelPainter() = default;
 
+Painter& PanelPainter::painter_for(const Panel& panel) {
+  if (!panel.plain) return painter_;
+  if (!plain_painter_) {
+    plain_scene_ = std::make_unique<Scene>(scene_);
+    plain_scene_->look.colour_by = ColourBy::plain;
+    plain_painter_ = std::make_unique<Painter>(*plain_scene_, settings_);
+  }
+  return *plain_painter_;
+}
+
 Image PanelPainter::draw(std::span<const Panel> panels) {
-  if (panels.size() == 1) return painter_.draw(*panels.front().state);
+  if (panels.size() == 1) return painter_for(panels.front()).draw(*panels.front().state);
   if (!captions_) captions_ = std::make_unique<Captions>();
   const Size panel = settings_.render.size;
   Image sheet = Image::blank(sheet_size(panel, panels.size()), settings_.render.transparent ? 4 : 3);
   const int columns = columns_for(panels.size());
   for (int i = 0; i < static_cast<int>(panels.size()); ++i) {
     const Panel& shown = panels[static_cast<std::size_t>(i)];
-    Image picture = painter_.draw(*shown.state);
+    Image picture = painter_for(shown).draw(*shown.state);
     captions_->write(shown, panel, picture);
     const int left = (i % columns) * panel.width, top = (i / columns) * panel.height;
     place_image(sheet, left, top, picture);

@@ -8,10 +8,11 @@
 
 #include "base/failure.h"
 #include "base/hash.h"
-#include "output/film.h"
-#include "host/build_info.h"
+#include "frames/colouring.h"
 #include "frames/frame_selection.h"
 #include "frames/panels.h"
+#include "host/build_info.h"
+#include "output/film.h"
 
 namespace taut {
 namespace {
@@ -101,6 +102,9 @@ bool RenderPlan::complete() const {
 RenderPlan make_render_plan(std::span<const Scene> scenes, const RenderRequest& request) {
   if (!request.folder && !request.film)
     throw BadRequest("without frames and without a film there is nothing to make; --film FILE asks for one");
+  // Of several methods those that don't know what their panels are to be coloured by stay plain.
+  if (std::ranges::none_of(scenes, [](const Scene& scene) { return colour_problem(scene).empty(); }))
+    require_colours(scenes.front());
   check_size(request.picture.render.size);
   check_size(sheet_size(request.picture.render.size, scenes.size()));
   check_rate(request.frames_per_second);

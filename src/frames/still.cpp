@@ -7,9 +7,10 @@
 #include <cstring>
 
 #include "base/failure.h"
+#include "frames/colouring.h"
+#include "frames/simulation.h"
 #include "output/atomic_file.h"
 #include "output/png.h"
-#include "frames/simulation.h"
 
 namespace taut {
 namespace {
@@ -23,14 +24,14 @@ void paste(const Image& panel, std::size_t column, Image& sheet) {
                 panel.pixels.data() + row * row_bytes, row_bytes);
 }
 
+}  // namespace
+
 void check_times(const Scene& scene, const std::vector<double>& times) {
   for (const double time : times)
     if (!(time >= 0.0 && time <= scene.duration))
       throw BadRequest(
           fmt::format("{} lasts from 0 to {} s; {} s is outside", scene.name, scene.duration, time));
 }
-
-}  // namespace
 
 void make_still(const Scene& scene, double time, const PictureSettings& settings,
                 const std::filesystem::path& file) {
@@ -48,6 +49,7 @@ std::vector<double> strip_times(const Scene& scene, double count) {
 
 void make_strip(const Scene& scene, const std::vector<double>& times, const PictureSettings& settings,
                 const std::filesystem::path& file) {
+  require_colours(scene);
   check_size(settings.render.size);
   check_times(scene, times);
   const Size whole{settings.render.size.width * static_cast<int>(times.size()), settings.render.size.height};

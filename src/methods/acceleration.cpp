@@ -1,7 +1,7 @@
 #include "methods/acceleration.h"
 
 #include "direct/link_system.h"
-#include "forces/forces.h"
+#include "forces/free_acceleration.h"
 #include "forces/springs.h"
 
 namespace taut {
@@ -52,20 +52,10 @@ bool AccelerationField::evaluate(double time, const Vectors& position, const Vec
                                  Vectors& acceleration) {
   Parts& p = *parts_;
   const SystemLinks& links = p.system.links;
-  // A kick of one second changes a velocity by its acceleration.
-  acceleration = velocity;
-  kick(p.model, time, 1.0, velocity, acceleration, DragAt::start);
-  kick_by_springs(p.springs, 1.0, position, velocity, acceleration, p.spring_tension);
-  for (std::size_t i = 0; i < velocity.size(); ++i) acceleration.add(i, -velocity.at(i));
-  add_wind(p.model, p.whole, position, velocity, time, acceleration);
-  for (const DrivenPin& pin : p.model.driven_pins)
-    acceleration.set(pin.mass, acceleration_at(pin.motion, time));
-
+  free_accelerations(p.model, p.whole, p.springs, time, position, velocity, acceleration, p.spring_tension);
   link_vectors(links, position, p.direction);
   if (!p.system.matrix->factor(p.direction, p.direction, p.no_compliance)) return false;
-  along_links(links, p.direction, acceleration, p.multipliers);
-  for (std::size_t i = 0; i < links.size(); ++i)
-    p.multipliers[i] += (velocity.at(links.a[i]) - velocity.at(links.b[i])).squaredNorm();
+  second_derivatives(links, p.direction, velocity, acceleration, p.multipliers);
   p.system.matrix->solve(p.multipliers);
   std::vector<double> impulse(p.multipliers);
   for (double& value : impulse) value = -value;

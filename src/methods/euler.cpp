@@ -120,6 +120,7 @@ Method euler_method() {
   can.plane = true;
   can.break_stretch = true;
   can.breaks_within_step = true;
+  can.tension_order = 0;
   can.between_steps = Interpolation::linear;
   return {"euler",
           "semi-implicit Euler, links set in place (the base line)",

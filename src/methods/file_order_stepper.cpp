@@ -15,6 +15,8 @@ void SwappingStepper::copy_to_work(const State& state) {
   position_ = state.position;
   velocity_ = state.velocity;
   tension_ = state.tension;
+  kick_before_ = state.unanswered_kick;
+  tension_before_ = state.tension_before;
   joints_before_ = state.holds.joints;
 }
 
@@ -35,6 +37,8 @@ void SwappingStepper::undo() {
   std::swap(state_.velocity, velocity_);
   std::swap(state_.tension, tension_);
   state_.time = time_before_;
+  state_.unanswered_kick = kick_before_;
+  state_.tension_before = tension_before_;
   state_.holds.joints = joints_before_;
 }
 

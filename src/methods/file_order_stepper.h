@@ -41,7 +41,8 @@ class SwappingStepper : public FileOrderStepper {
   std::vector<double> tension_;
 
  private:
-  double time_before_ = 0.0;
+  double time_before_ = 0.0, kick_before_ = 0.0;
+  std::vector<double> tension_before_;
   std::vector<Vec3> joints_before_;
 };
 

@@ -11,7 +11,12 @@
 // Positions: Newton's method, (J W J₀ᵀ) Δs = g with J at the present x₁. Along paths and trees that
 // unsymmetric matrix is eliminated directly; in nets the symmetric J₀ W J₀ᵀ stands in for it (chord Newton).
 // It is the matrix of the velocities of the step before, so a net is factorised once a step. Velocities: one
-// linear solve with the symmetric J₁ W J₁ᵀ. The tension at the end of the step is u |d|/(h/2).
+// linear solve with the symmetric J₁ W J₁ᵀ.
+//
+// Tension: s |d₀|/(h²/2) is that at the start of the step and u |d|/(h/2) that at its end, both only to first
+// order, out by as much on either side. Second order needs no more than another solve with the matrix of the
+// velocities, for the multipliers at acceleration level: (J₁ W J₁ᵀ) λ = J₁ a(x₁, v₁) + |ḋ|². While stops push
+// or joints resist, which are no part of that, it stays at u |d|/(h/2).
 //
 // Correcting along the start-of-step direction makes the map symmetric in time: second order, and no drift of
 // energy. Its price is a limit: light links of mass m under tension T vibrate sideways at up to 2√(T/(m l)),
@@ -32,6 +37,7 @@
 #include "direct/newton_rounds.h"
 #include "file_order_stepper.h"
 #include "forces/forces.h"
+#include "forces/free_acceleration.h"
 #include "forces/half_kicks.h"
 #include "methods/method.h"
 #include "parameters.h"
@@ -75,6 +81,7 @@ class RattleStepper final : public SwappingStepper {
       }
     }
     if (report.status != StepStatus::done) return report;
+    if (limits_.none() && model_.joints.empty()) solve_tensions(state, end_time, report);
     take_over(state, end_time, report);
     if (report.status == StepStatus::done) joints_.keep(position_, state);
     return report;
@@ -200,6 +207,16 @@ class RattleStepper final : public SwappingStepper {
     apply_impulses(links, direction_, residual_, velocity_);
   }
 
+  // With the matrix of the velocities, which the system still holds.
+  void solve_tensions(const State& whole, double time, StepReport& report) {
+    const SystemLinks& links = system_.links;
+    kicks_.accelerations(whole, time, position_, velocity_, acceleration_, tension_);
+    second_derivatives(links, direction_, velocity_, acceleration_, residual_);
+    system_.matrix->solve(residual_);
+    report.link_solves += static_cast<std::int64_t>(links.size());
+    for (std::size_t i = 0; i < links.size(); ++i) tension_[links.link[i]] = residual_[i] * links.length[i];
+  }
+
   const Model& model_;
   int order_;
   HalfKicks kicks_;
@@ -208,7 +225,7 @@ class RattleStepper final : public SwappingStepper {
   LinkSystem system_;
   std::vector<double> no_compliance_;
   Vectors factored_along_;  // directions whose symmetric matrix a net's factor holds
-  Vectors start_position_, half_velocity_;
+  Vectors start_position_, half_velocity_, acceleration_;
   Vectors start_direction_, direction_;
   std::vector<double> residual_;
   double worst_ = 0.0;
@@ -244,6 +261,7 @@ Method rattle_method() {
   can.limits = true;
   can.break_stretch = true;
   can.break_tension = true;
+  can.tension_order = 2;
   return {"rattle",
           "exact link lengths and link speeds, solved directly, order 2 or 4",
           "Andersen, Rattle (1983); Yoshida (1990)",

@@ -11,18 +11,25 @@
 //
 // That one change of direction makes the relaxation of second order: one pass per small step is within 5e-4 m
 // on a 2 m chain where relaxation along the new direction is at 1e-2 m for the same price. It shares RATTLE's
-// limit, h below about √(m l/T). The tension is Σ q |d₀|/h². The velocity at the end still holds the last
-// half kick, as with verlet. Damping and wind, which depend on velocity, meet one without it: the links'
-// answer to that half kick is half a step of their last tension.
+// limit, h below about √(m l/T). The velocity at the end still holds the last half kick, as with verlet.
+// Damping and wind, which depend on velocity, meet one without it: the links' answer to that half kick is
+// half a step of their tension.
+//
+// Tension: (1 + drag h/2) Σ q |d₀|/h² is the tension Tₙ at the start of the step, by x_{n+1} − 2 xₙ + x_{n−1}
+// = h² a, to second order. Its end has 2 Tₙ − T_{n−1}; and where there is no T_{n−1}, or the step is not as
+// long as the last one, the Σ q of another step from there, which is not made.
 
 #include <array>
 #include <cmath>
+#include <utility>
+#include <utility>
 
 #include "contact/joint_resistance.h"
 #include "direct/link_system.h"
 #include "file_order_stepper.h"
 #include "forces/forces.h"
 #include "forces/half_kicks.h"
+#include "methods/breaking.h"
 #include "methods/method.h"
 #include "parameters.h"
 #include "relax/limit_solver.h"
@@ -52,37 +59,66 @@ class ShakeStepper final : public SwappingStepper {
 
   StepReport make_step(State& state, double h, double end_time) override {
     const double half = 0.5 * h;
-    copy_to_work(state);
-    link_vectors(links_, state.position, start_direction_);
-    answer_half_kick(state, half);
-    kicks_.start(state, state.time, half, state.position, state.velocity, met_velocity_, kicked_);
-    joints_.act(state, h, 1.0, kicked_);
-    drift(h, state.position, kicked_, position_);
-    place_pins(model_, end_time, position_, velocity_);
-
+    // Only then is Tₙ of second order.
+    const bool as_last = state.unanswered_kick == half;
     StepReport report;
-    report.link_solves = kicks_.solves();
-    limits_.begin_step();
-    if (!relax(state.position, h, report)) return report;
+    copy_to_work(state);
+    if (!move(state, h, end_time, report)) return report;
+    put_start_tensions(h, state.unanswered_kick, tension_);
+    start_tension_ = tension_;
 
     difference_quotient(h, state.position, position_, velocity_);
     place_pins(model_, end_time, position_, velocity_);
     kicks_.end(state, end_time, half, position_, kicked_, velocity_, tension_);
-    for (std::size_t i = 0; i < links_.size(); ++i)
-      tension_[links_.link[i]] = multipliers_[i] * start_direction_.at(i).norm() / (h * h);
+    const bool continued = as_last && !state.tension_before.empty();
+    if (continued)
+      for (const Index link : links_.link)
+        tension_[link] = 2.0 * start_tension_[link] - state.tension_before[link];
     take_over(state, end_time, report);
-    if (report.status == StepStatus::done) joints_.keep(position_, state);
+    if (report.status != StepStatus::done) return report;
+    joints_.keep(position_, state);  // where the step began
+    state.unanswered_kick = half;
+    if (!continued && links_.size() > 0) probe_tensions(state, h, report);
+    if (as_last)
+      std::swap(state.tension_before, start_tension_);
+    else
+      state.tension_before.clear();
     return report;
   }
 
-  // The velocities at the start of a step as the links would have them.
-  void answer_half_kick(const State& state, double half) {
+  // Positions at the end of a step, in position_, with the velocities on the way in kicked_ and what links
+  // did in multipliers_.
+  bool move(const State& state, double h, double end_time, StepReport& report) {
+    link_vectors(links_, state.position, start_direction_);
     met_velocity_ = state.velocity;
-    if (!kicks_.meet_velocity()) return;
-    answer_.resize(links_.size());
+    if (kicks_.meet_velocity()) answer_kick(model_, state, met_velocity_);
+    kicks_.start(state, state.time, 0.5 * h, state.position, state.velocity, met_velocity_, kicked_);
+    joints_.act(state, h, 1.0, kicked_);
+    drift(h, state.position, kicked_, position_);
+    place_pins(model_, end_time, position_, velocity_);
+    report.link_solves += kicks_.solves();
+    limits_.begin_step();
+    return relax(state.position, h, report);
+  }
+
+  // What multipliers_ say of the start of a step of h seconds that has also answered the kick before it.
+  void put_start_tensions(double h, double kick_before, std::vector<double>& tension) const {
+    const double scale = (1.0 + 0.5 * h * model_.drag) / (h * (0.5 * h + kick_before));
     for (std::size_t i = 0; i < links_.size(); ++i)
-      answer_[i] = -half * state.tension[links_.link[i]] / start_direction_.at(i).norm();
-    apply_impulses(links_, start_direction_, answer_, met_velocity_);
+      tension[links_.link[i]] = multipliers_[i] * start_direction_.at(i).norm() * scale;
+  }
+
+  void probe_tensions(State& state, double h, StepReport& report) {
+    // For what it does to velocities that forces meet, the tension at the start of the step is good enough.
+    StepReport probe;
+    Vectors before = std::exchange(position_, state.position),
+            velocity_before = std::exchange(velocity_, state.velocity);
+    if (move(state, h, state.time + h, probe))
+      put_start_tensions(h, state.unanswered_kick, state.tension);
+    position_ = std::move(before);  // what undo() needs
+    velocity_ = std::move(velocity_before);
+    report.rounds += probe.rounds;
+    report.link_solves += probe.link_solves;
   }
 
   bool relax(const Vectors& start, double h, StepReport& report) {
@@ -123,7 +159,7 @@ class ShakeStepper final : public SwappingStepper {
   JointResistance joints_;
   SystemLinks links_;
   Vectors kicked_, met_velocity_, start_direction_;
-  std::vector<double> multipliers_, answer_;
+  std::vector<double> multipliers_, start_tension_;
 };
 
 constexpr std::array params{
@@ -159,6 +195,7 @@ Method shake_method() {
   can.limits = true;
   can.break_stretch = true;
   can.break_tension = true;
+  can.tension_order = 2;
   return {"shake",
           "relaxation along the directions of the start of the step, second order",
           "Ryckaert, Ciccotti and Berendsen (1977)",

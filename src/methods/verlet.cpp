@@ -7,7 +7,8 @@
 // The same sequence of positions is had from position and velocity at the same time by half a kick, the
 // drift, the relaxation, v = Δx/h, and half a kick:  x_{n+1} − x_n = (x_n − x_{n−1}) + h (h/2) a + h (h/2) a.
 // That is how it stands here, so that a State means the same for every method. The velocity at the end still
-// holds the last half kick, which the links have not answered yet: a mass at rest shows h·g/2.
+// holds the last half kick, which the links have not answered yet: a mass at rest shows h·g/2. The tension is
+// Σ s |d| over h (h/2 + that kick): h² but for the first step and where h has changed.
 
 #include <array>
 #include <cmath>
@@ -30,7 +31,10 @@ class VerletStepper final : public FileOrderStepper {
       : model_(model), passes_(passes), beside_(model), joints_(model) {}
 
  private:
-  void links_changed(const State& state) override { order_ = coloured_order(model_, state); }
+  void links_changed(const State& state) override {
+    order_ = coloured_order(model_, state);
+    moved_.assign(order_.links.size(), 0.0);
+  }
 
   StepReport make_step(State& state, double h, double end_time) override {
     start_ = state.position;
@@ -41,6 +45,7 @@ class VerletStepper final : public FileOrderStepper {
     joints_.act(state, h, 1.0, velocity_);
     drift(h, start_, velocity_, state.position);
     place_pins(model_, end_time, state.position, velocity_);
+    moved_.assign(order_.links.size(), 0.0);
     beside_.begin_step(start_, state);
     for (int pass = 0; pass < passes_; ++pass) {
       relax(state.position);
@@ -64,18 +69,24 @@ class VerletStepper final : public FileOrderStepper {
     }
     beside_.keep(state);
     joints_.keep(start_, state);
+    const double kicked_for = state.unanswered_kick + 0.5 * h;
+    for (std::size_t i = 0; i < moved_.size(); ++i)
+      state.tension[order_.links[i]] = moved_[i] / (h * kicked_for);
+    state.unanswered_kick = 0.5 * h;
     return report;
   }
 
-  void relax(Vectors& position) const {
+  void relax(Vectors& position) {
     const Links& links = model_.links;
     const std::vector<double>& inverse_mass = model_.masses.inverse_mass;
-    for (const Index link : order_.links) {
+    for (std::size_t i = 0; i < moved_.size(); ++i) {
+      const Index link = order_.links[i];
       const Index a = links.a[link], b = links.b[link];
       const Vec3 difference = position.at(a) - position.at(b);
       const double distance = difference.norm();
       if (distance == 0.0) continue;  // no direction to move in
       const double scale = (distance - links.length[link]) / ((inverse_mass[a] + inverse_mass[b]) * distance);
+      moved_[i] += scale * distance;
       position.add(a, -(inverse_mass[a] * scale) * difference);
       position.add(b, (inverse_mass[b] * scale) * difference);
     }
@@ -87,6 +98,7 @@ class VerletStepper final : public FileOrderStepper {
   JointResistance joints_;
   OrderedLinks order_;
   Vectors start_, velocity_;
+  std::vector<double> moved_;  // kg m, one a link of the order: Σ s |d|
 };
 
 constexpr std::array params{steps_per_second_param(600.0), passes_param(1.0)};
@@ -104,6 +116,7 @@ Method verlet_method() {
   can.limits = true;
   can.colliders = true;
   can.break_stretch = true;
+  can.break_tension = true;
   return {"verlet",
           "Störmer–Verlet with mass-weighted relaxation",
           "Jakobsen, Advanced Character Physics (2001)",

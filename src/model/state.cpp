@@ -74,6 +74,12 @@ State interpolate(const State& before, const State& after, double time, Interpol
   }
   for (double& broken_at : between.broken_at)
     if (broken_at > time) broken_at = infinity;
+  for (std::size_t link = 0; link < between.tension.size(); ++link) {
+    if (after.broken(link))
+      between.tension[link] = between.broken(link) ? 0.0 : before.tension[link];
+    else if (before.tension[link] != 0.0)
+      between.tension[link] = std::lerp(before.tension[link], after.tension[link], u);
+  }
   return between;
 }
 

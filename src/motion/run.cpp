@@ -9,12 +9,15 @@
 #include "base/failure.h"
 #include "breaking.h"
 #include "energy_guard.h"
+#include "methods/breaking.h"
 #include "methods/registry.h"
 
 namespace taut {
 namespace {
 
 constexpr std::int64_t steps_between_looks = 16;
+constexpr double least_part = 1e-4;  // of a step, that is worth one of its own
+constexpr int most_cuts = 32;  // of a step; what breaks beyond that does so at its end
 
 const Method& willing_method(const Model& model, const State& start, const Settings& settings) {
   const std::vector<std::string> problems = refusals(model, start, settings);
@@ -75,6 +78,7 @@ double Run::step_time(std::int64_t step) const {
 bool Run::step() {
   if (ended()) return false;
   const double begin = state_->time, h = 1.0 / steps_per_second_;
+  cuts_left_ = most_cuts;
   const StepReport step = guarded_step(h, step_time(report_.steps + 1), policy_.most_halvings);
   report_.counts.add(step);
   if (step.halvings > 0) note_halving(begin, step);
@@ -82,7 +86,7 @@ bool Run::step() {
     report_.end = RunEnd::step_failed;
     return false;
   }
-  if (!model_.breakable_links.empty()) break_links();
+  break_links(links_over_threshold(model_, method_.can, *state_), report_.counts);
   ++report_.steps;
   return report_.steps % steps_between_looks != 0 || holds_together();
 }
@@ -99,6 +103,10 @@ StepReport Run::guarded_step(double h, double end_time, int halvings) {
     report.status = StepStatus::energy_jump;
   }
   if (report.status == StepStatus::done) {
+    // Where tension and positions are of second order, the moment of a break is, too.
+    if (method_.can.tension_order >= 2 && cuts_left_ > 0 &&
+        !links_over_threshold(model_, method_.can, *state_).empty())
+      return cut_step(h, end_time, halvings, report);
     if (ledger_.keeps_anything()) ledger_.record(*state_);
     return report;
   }
@@ -127,19 +135,40 @@ void Run::note_halving(double begin, const StepReport& report) {
   report_.halved_at_link = report.worst_link;
 }
 
-// All links over a threshold break at once, in file order, effective from the next step on.
-void Run::break_links() {
-  const std::vector<Index> over = links_over_threshold(model_, method_.can, *state_);
-  if (over.empty()) return;
-  State broken = *state_;
-  for (const Index link : over) {
-    broken.broken_at[link] = broken.time;
-    broken.tension[link] = 0.0;
+// The step just made, made again as far as the first break in it, and the rest without what broke.
+StepReport Run::cut_step(double h, double end_time, int halvings, StepReport report) {
+  --cuts_left_;
+  const State after = *state_;
+  stepper_->undo();
+  const State start = stepper_->store();
+  const WorkLedger ledger = ledger_;
+  const FirstBreak first = *first_break(model_, start, after);
+  const double share = first.share < least_part ? 0.0 : first.share > 1.0 - least_part ? 1.0 : first.share;
+  const double part = share * h, rest = h - part;
+  if (part > 0.0) report.add(stepper_->step(part, rest > 0.0 ? end_time - rest : end_time));
+  state_ = &stepper_->store();
+  if (report.status == StepStatus::done) {
+    break_links(first.links, report);
+    if (rest > 0.0) report.add(guarded_step(rest, end_time, halvings));
   }
-  report_.counts.breaks += static_cast<std::int64_t>(over.size());
+  if (report.status != StepStatus::done) {
+    stepper_->load(start);
+    state_ = &stepper_->store();
+    ledger_ = ledger;
+  }
+  return report;
+}
+
+// All of them at once, effective from the next step on.
+void Run::break_links(const std::vector<Index>& links, StepReport& report) {
+  if (links.empty()) return;
+  if (ledger_.keeps_anything()) ledger_.record(*state_);
+  State broken = *state_;
+  break_at_once(model_, broken, links);
+  report.breaks += static_cast<std::int64_t>(links.size());
   stepper_->load(broken);
   state_ = &stepper_->store();
-  ledger_.record(*state_);
+  if (ledger_.keeps_anything()) ledger_.record(*state_);
 }
 
 double Run::energy_at_hand() const {

@@ -21,6 +21,8 @@ void for_each_part(Saved& saved, const Pass& pass) {
   }
   pass(saved.state.tension);
   pass(saved.state.broken_at);
+  pass(saved.state.unanswered_kick);
+  pass(saved.state.tension_before);
   pass(saved.state.holds.solids);
   pass(saved.state.holds.bodies);
   pass(saved.state.holds.joints);
@@ -91,6 +93,7 @@ RunState run_state_from(std::string_view bytes, const Model& model) {
                     state.position.z.size() == masses && state.velocity.x.size() == masses &&
                     state.velocity.y.size() == masses && state.velocity.z.size() == masses &&
                     state.tension.size() == links && state.broken_at.size() == links &&
+                    (state.tension_before.empty() || state.tension_before.size() == links) &&
                     state.holds.joints.size() == model.joints.size();
   if (!fits || reader.left() != 0) throw BadRequest("the saved state of a run is of another scene");
   return saved;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "frames/colouring.h"
 #include "render/overlay.h"
 #include "render/text.h"
 
@@ -119,6 +120,7 @@ Image sag_sheet(const Scene& scene, const SagStudy& study, const PictureSettings
   const Size panel = settings.render.size;
   Scene posed = scene;
   posed.look.ground = false;
+  if (!colour_problem(scene).empty()) posed.look.colour_by = ColourBy::plain;
   posed.camera = camera_for(scene, study, static_cast<double>(panel.width) / panel.height);
   const std::vector<Panel> panels = panels_of(study);
   const auto count = static_cast<int>(panels.size());

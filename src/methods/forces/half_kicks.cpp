@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "forces/forces.h"
+#include "forces/free_acceleration.h"
 #include "methods/frequency.h"
 
 namespace taut {
@@ -32,8 +33,7 @@ void HalfKicks::end(const State& whole, double time, double half, const Vectors&
     blow(model_, whole, position, guess_, time, half, velocity, DragAt::start);
   }
   kick_by_springs(springs_, half, position, meet_velocity() ? guess_ : velocity, velocity, spring_tension_);
-  for (std::size_t i = 0; i < springs_.links.size(); ++i)
-    tension[springs_.links.link[i]] = spring_tension_[i];
+  keep_tensions(tension);
   kick(model_, time, half, velocity, velocity);
 }
 
@@ -44,6 +44,17 @@ std::string too_stiff(const Model& model, const State& start, const Settings& se
       "method {} treats links with stiffness as forces, and the stiffest vibrate at {:.4g} rad/s: that needs "
       "more than {:.0f} steps_per_second, or method newton, which takes any stiffness",
       settings.method, frequency, 0.5 * frequency);
+}
+
+void HalfKicks::accelerations(const State& whole, double time, const Vectors& position,
+                              const Vectors& velocity, Vectors& acceleration, std::vector<double>& tension) {
+  free_accelerations(model_, whole, springs_, time, position, velocity, acceleration, spring_tension_);
+  keep_tensions(tension);
+}
+
+void HalfKicks::keep_tensions(std::vector<double>& tension) const {
+  for (std::size_t i = 0; i < springs_.links.size(); ++i)
+    tension[springs_.links.link[i]] = spring_tension_[i];
 }
 
 }  // namespace taut

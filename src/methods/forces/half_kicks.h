@@ -49,7 +49,13 @@ class HalfKicks {
   void end(const State& whole, double time, double half, const Vectors& position, const Vectors& kicked,
            Vectors& velocity, std::vector<double>& tension);
 
+  /// Accelerations but for what rigid links do, see free_accelerations(); springs' tensions as from end().
+  void accelerations(const State& whole, double time, const Vectors& position, const Vectors& velocity,
+                     Vectors& acceleration, std::vector<double>& tension);
+
  private:
+  void keep_tensions(std::vector<double>& tension) const;
+
   const Model& model_;
   double answered_at_once_;  // n
   Springs springs_;

@@ -16,6 +16,7 @@ struct Panel {
   std::string title;
   std::vector<std::string> lines;  ///< smaller, below the title
   bool failed = false;             ///< the lines say how: in a warning colour
+  bool plain = false;  ///< without the colours that the scene's look asks for, and without their legend
 };
 
 /// Pixels that so many panels of a size take together: up to three in a row, then as near to a square as may
@@ -33,8 +34,13 @@ class PanelPainter {
 
  private:
   struct Captions;
+  Painter& painter_for(const Panel& panel);
+
+  const Scene& scene_;
   Painter painter_;
   PictureSettings settings_;
+  std::unique_ptr<Scene> plain_scene_;  // these two made when first needed
+  std::unique_ptr<Painter> plain_painter_;
   std::unique_ptr<Captions> captions_;  // made when first needed: one panel alone needs no font
 };
 

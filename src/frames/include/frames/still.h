@@ -8,6 +8,9 @@
 
 namespace taut {
 
+/// Throws BadRequest for a time (s) outside the scene's duration.
+void check_times(const Scene& scene, const std::vector<double>& times);
+
 /// Writes one picture of a scene at a time (s) as a PNG file. Throws BadRequest for a time outside the
 /// scene's duration, RunFailure for what goes wrong later.
 void make_still(const Scene& scene, double time, const PictureSettings& settings,

@@ -43,6 +43,8 @@ struct Capabilities {
   bool drag = true;
   bool break_stretch = false;
   bool break_tension = false;
+  int tension_order =
+      1;  ///< the order in h to which State::tension is right; 0: the method knows no tensions
   bool half_kicked =
       false;  ///< velocities hold half a kick that links have not answered; reports project them
   bool breaks_within_step = false;  ///< a step itself tests break_stretch on the links it solves

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "model/model.h"
 #include "base/vectors.h"
+#include "model/model.h"
 
 namespace taut {
 
@@ -33,6 +33,13 @@ struct State {
 
   Holds holds;
 
+  /// How long a kick of gravity, loads, drag, wind and springs (s) the velocities hold that rigid links have
+  /// not answered yet: half the last step with methods whose Capabilities say half_kicked, 0 at the start.
+  double unanswered_kick = 0.0;
+  /// N, one a link: the tension at the start of the last step, for a method that continues it to the end of
+  /// the next one; empty where that can't be done, as after a break.
+  std::vector<double> tension_before;
+
   bool broken(std::size_t link) const { return broken_at[link] != infinity; }
 };
 
@@ -56,7 +63,8 @@ void place_pins(const Model& model, double time, Vectors& position, Vectors& vel
 /// velocities, or along the straight line (for methods whose velocities are not their positions' derivative).
 enum class Interpolation { hermite, linear };
 
-/// The state between two neighbouring ones (velocities: the derivative of the positions); what broke between
+/// The state between two neighbouring ones (velocities: the derivative of the positions; tensions: along the
+/// straight line, but for links without any before, which a method may not have met yet); what broke between
 /// the two counts as broken from its own time on.
 State interpolate(const State& before, const State& after, double time, Interpolation kind);
 

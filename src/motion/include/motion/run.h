@@ -36,7 +36,8 @@ class Run {
   ~Run();
   Run(Run&&) noexcept;
 
-  /// Makes the next step. False when the run has ended: in this step, or before.
+  /// Makes the next step; with methods whose tension is of second order (Capabilities::tension_order) it is
+  /// cut where a link breaks within it, with others links break at its end. False when the run has ended: in this step, or before.
   bool step();
   /// The state at a time (s) that is not before the one asked for last: between two steps interpolated from
   /// both. Nothing when told to stop on the way, or when the run has ended before.
@@ -72,7 +73,8 @@ class Run {
   double step_time(std::int64_t step) const;
   StepReport guarded_step(double h, double end_time, int halvings);
   void note_halving(double begin, const StepReport& report);
-  void break_links();
+  StepReport cut_step(double h, double end_time, int halvings, StepReport report);
+  void break_links(const std::vector<Index>& links, StepReport& report);
 
   const Model& model_;
   Settings settings_;
@@ -86,6 +88,7 @@ class Run {
   std::unique_ptr<EnergyGuard> guard_;  // none where nothing is watched
   std::optional<State> before_;         // the step before state_, where a time in between was asked for
   RunReport report_;
+  int cuts_left_ = 0;  // of the present step, at breaks
 };
 
 }  // namespace taut

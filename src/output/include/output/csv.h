@@ -11,15 +11,16 @@ namespace taut {
 std::string mass_table_header();
 
 /// A line a mass: frame,time,mass,name,x,y,z,vx,vy,vz; SI, every number with as many digits as tell it from
-/// its neighbours.
+/// its neighbours. In every table names with a comma, a quote or a line's end are quoted (RFC 4180).
 std::string mass_table_rows(const Model& model, const State& state, int frame);
 
 /// First line of the table of links.
 std::string link_table_header();
 
-/// A line a link: frame,time,link,a,b,length,strain,tension,broken_at. broken_at is empty while the link is
-/// whole; strain and tension are empty from then on.
-std::string link_table_rows(const Model& model, const State& state, int frame);
+/// A line a link: frame,time,link,a,b,rest_length,length,strain,tension,broken_at. broken_at is empty while
+/// the link is whole; length, strain and tension are empty from then on, and tension is wherever it isn't
+/// known.
+std::string link_table_rows(const Model& model, const State& state, int frame, bool tension_known);
 
 /// First line of the table of orientations.
 std::string orientation_table_header();
