@@ -11,12 +11,12 @@
 #include "exit_status.h"
 #include "explain.h"
 #include "flags.h"
+#include "frames/simulation.h"
+#include "interrupted.h"
 #include "measure/expectation.h"
 #include "measures_json.h"
 #include "planning.h"
 #include "study/reference_cache.h"
-#include "host/signals.h"
-#include "frames/simulation.h"
 #include "verbs.h"
 
 namespace taut {
@@ -165,7 +165,8 @@ int check(const CheckFlags& flags) {
   Json verdicts = Json::array();
   for (const std::string& scene : flags.scenes) {
     const Verdict verdict = check_scene(scene, flags, [&] { return interrupts.caught() != 0; });
-    if (interrupts.caught() != 0) return exit_signal + interrupts.caught();
+    if (interrupts.caught() != 0)
+      return report_interrupted(interrupts, fmt::format("{} was not checked to its end", scene));
     print_verdict(verdict, flags);
     status = std::max(status, verdict.status);
     verdicts.push_back(verdict.json);

@@ -9,12 +9,12 @@
 #include "base/split.h"
 #include "exit_status.h"
 #include "flags.h"
+#include "frames/frame_selection.h"
+#include "frames/simulation.h"
+#include "interrupted.h"
 #include "output/atomic_file.h"
 #include "output/csv.h"
 #include "planning.h"
-#include "frames/frame_selection.h"
-#include "host/signals.h"
-#include "frames/simulation.h"
 #include "values.h"
 #include "verbs.h"
 
@@ -119,7 +119,10 @@ int export_motion(const ExportFlags& flags) {
   sink.write(header(table));
   for (const Instant& instant : wanted) {
     const std::optional<State> state = simulation.at(instant.time, [&] { return interrupts.caught() != 0; });
-    if (!state) return exit_signal + interrupts.caught();
+    if (!state)
+      return report_interrupted(interrupts, flags.file.empty()
+                                                ? fmt::format("the table ends before {} s", instant.time)
+                                                : "no file was written");
     sink.write(rows(table, scene, simulation.reported(*state), instant.frame));
   }
   sink.finish();

@@ -7,10 +7,10 @@
 #include "base/split.h"
 #include "exit_status.h"
 #include "flags.h"
-#include "output/gnuplot.h"
 #include "host/progress.h"
+#include "interrupted.h"
+#include "output/gnuplot.h"
 #include "study/sag_files.h"
-#include "host/signals.h"
 #include "values.h"
 #include "verbs.h"
 
@@ -58,7 +58,7 @@ int sag(const SagFlags& flags) {
   const auto study = study_sag(
       scene, passes, [&](int done) { progress.update(done); }, [&] { return interrupts.caught() != 0; });
   progress.finish();
-  if (!study) return exit_signal + interrupts.caught();
+  if (!study) return report_interrupted(interrupts, "nothing was written");
   write_sag_files(scene, *study, settings, folder);
   if (flags.json) fmt::print("{}", sag_json(scene, *study));
   if (!flags.quiet)
