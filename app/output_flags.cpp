@@ -46,6 +46,7 @@ void print_json(std::span<const Scene> scenes, const RenderRequest& request, con
     json["measures"] = measures_to_json(outcome.panels.front().measures, scenes.front().model);
   }
   if (plan) json["plan"] = plan_to_json(*plan);
+  if (outcome.note) json["note"] = *outcome.note;
   if (request.folder) json["folder"] = request.folder->string();
   if (request.film && !outcome.stopped) json["film"] = request.film->string();
   fmt::print("{}\n", json.dump(2));
@@ -59,6 +60,7 @@ void print_summary(std::span<const Scene> scenes, const RenderRequest& request,
   if (request.film && !outcome.stopped) fmt::print(stderr, ", film in {}", request.film->string());
   if (request.film && outcome.stopped) fmt::print(stderr, ", no film");
   fmt::print(stderr, ", {}\n", duration_text(outcome.seconds));
+  if (outcome.note) fmt::print(stderr, "taut: note: {}\n", *outcome.note);
 }
 
 // What went wrong is said in any case.

@@ -12,6 +12,7 @@
 
 #include "bounded_queue.h"
 #include "frames/frame_selection.h"
+#include "frames/ground_note.h"
 #include "frames/panels.h"
 #include "output/film.h"
 #include "panel_runs.h"
@@ -83,6 +84,7 @@ class Pipeline {
   void start_film(std::optional<Film>& film) const;
   void finish(std::optional<Film>& film);
 
+  bool shows_ground() const { return !request_.picture.render.transparent; }
   bool told_to_stop() const { return failure_.any() || (stop_ && stop_()); }
   bool frame_wanted(const Posed& posed) const {
     const auto there = already_there_.find(posed.frame);
@@ -114,6 +116,8 @@ void Pipeline::simulate(PanelRuns& runs) {
       return;
     }
     Posed posed{frame, panels_hash(*now), {}, {}};
+    for (std::size_t i = 0; i < now->size() && shows_ground() && !outcome_.note; ++i)
+      outcome_.note = ground_note(scenes_[i], (*now)[i].state);
     for (std::size_t i = 0; i < now->size() && (now->size() > 1 || frame == job_.frames.back()); ++i) {
       const PanelOutcome outcome{runs.measures(i), (*now)[i].failure};
       posed.lines.push_back(panel_lines(scenes_[i], outcome.measures, outcome.failure));

@@ -42,6 +42,8 @@ struct RenderOutcome {
   std::string inputs;                ///< hash of everything that decides what the frames look like
   std::string last_state_hash;       ///< of the last frame's state; empty when nothing was simulated
   std::vector<PanelOutcome> panels;  ///< one a panel; empty when nothing was simulated
+  /// What is odd about the pictures, from the first that is (ground_note.h).
+  std::optional<std::string> note;
 };
 
 /// Renders a scene to frames and a film, run in one way, or in several ways side by side: `scenes` differ in
