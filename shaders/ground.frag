@@ -32,7 +32,7 @@ void main() {
     vec3 albedo = ground.rgb * (1.0 - ground.w * lines);
     colour = display_from_linear(lit(albedo, normal, normalize(eye.xyz - point), reaching, 0.0));
   } else {
-    colour = behind * (1.0 - 0.55 * ground.w * lines) * mix(0.86, 1.0, reaching);
+    colour = behind * (1.0 - 0.7 * ground.w * lines) * mix(0.86, 1.0, reaching);
   }
   pixel = vec4(mix(colour, behind, mist), 1.0);
 }

@@ -22,7 +22,7 @@ Keys<Camera> camera_keys() {
                   {.unit = "degrees", .range = between(1, 150), .help = "from the lower to the upper edge"}),
       key<Camera>("up", &Camera::up,
                   {.range = between(-far, far),
-                   .fallback = "against gravity, or [0, 1, 0] where there is none",
+                   .fallback = "against gravity, or along y where there is none",
                    .help = "which way is up, for the camera, its orbit and the drawn ground, of any length "
                            "but 0"}),
       key<Camera>("orbit", &Camera::orbit,
@@ -61,7 +61,7 @@ Keys<Look> look_keys() {
       key<Look>("ground_height", &Look::ground_height,
                 {.unit = "m",
                  .range = between(-far, far),
-                 .fallback = "that of the plane, or 0 without any",
+                 .fallback = "that of the plane, or zero without any",
                  .help = "where, upwards, the level ground is drawn"}),
       key<Look>("mass_radius", &Look::mass_radius,
                 {.unit = "m", .range = between(0, far), .help = "0: 0.29 of the median link length"}),
