@@ -16,7 +16,7 @@
 #include "exit_status.h"
 #include "flags.h"
 #include "host/scene_folder.h"
-#include "host/signals.h"
+#include "interrupted.h"
 #include "output/atomic_file.h"
 #include "output/gnuplot.h"
 #include "study/chart_files.h"
@@ -98,15 +98,15 @@ int chart(const ChartFlags& flags) {
                                      std::filesystem::path(flags.folder) / (scene.name + ".cases.jsonl"),
                                      progress, stop));
       stop_if_told(stop);
-      if (!flags.quiet) print_summary(charts.back(), flags.folder);
+      // What is missing is the reason for the status, so it is said in any case.
+      if (!flags.quiet || !charts.back().complete()) print_summary(charts.back(), flags.folder);
       write_chart(charts.back(), flags.folder);
       if (!charts.back().complete()) status = exit_incomplete;
       if (flags.plans)
         std::ranges::move(judge_plans(scene, charts.back(), stop), std::back_inserter(verdicts));
     }
   } catch (const Interrupted&) {
-    fmt::print(stderr, "taut: interrupted; running the same again goes on, in {}\n", flags.folder);
-    return exit_signal + interrupts.caught();
+    return report_interrupted(interrupts, "running the same again goes on, in " + flags.folder);
   }
   write_chart_page(charts, flags.folder);
   write_file(std::filesystem::path(flags.folder) / "which-method.md",

@@ -14,7 +14,7 @@
 #include "flags.h"
 #include "frames/colouring.h"
 #include "frames/simulation.h"
-#include "host/signals.h"
+#include "interrupted.h"
 #include "measure/expectation.h"
 #include "measures_json.h"
 #include "planning.h"
@@ -170,7 +170,8 @@ int check(const CheckFlags& flags) {
   Json verdicts = Json::array();
   for (const std::string& scene : flags.scenes) {
     const Verdict verdict = check_scene(scene, flags, [&] { return interrupts.caught() != 0; });
-    if (interrupts.caught() != 0) return exit_signal + interrupts.caught();
+    if (interrupts.caught() != 0)
+      return report_interrupted(interrupts, fmt::format("{} was not checked to its end", scene));
     print_verdict(verdict, flags);
     status = std::max(status, verdict.status);
     verdicts.push_back(verdict.json);

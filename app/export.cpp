@@ -13,8 +13,8 @@
 #include "frames/frame_selection.h"
 #include "frames/simulation.h"
 #include "frames/still.h"
-#include "host/signals.h"
 #include "methods/registry.h"
+#include "interrupted.h"
 #include "output/atomic_file.h"
 #include "output/csv.h"
 #include "planning.h"
@@ -128,7 +128,10 @@ int export_motion(const ExportFlags& flags) {
   sink.write(header(table));
   for (const Instant& instant : wanted) {
     const std::optional<State> state = simulation.at(instant.time, [&] { return interrupts.caught() != 0; });
-    if (!state) return exit_signal + interrupts.caught();
+    if (!state)
+      return report_interrupted(interrupts, flags.file.empty()
+                                                ? fmt::format("the table ends before {} s", instant.time)
+                                                : "no file was written");
     sink.write(rows(table, scene, simulation.reported(*state), instant.frame));
   }
   sink.finish();

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "exit_status.h"
-#include "host/signals.h"
+#include "interrupted.h"
 #include "measures_json.h"
 #include "planning.h"
 #include "values.h"
@@ -17,9 +17,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // A method, and what came of it.
-Json take_to_json(const Scene& scene, const TakeOutcome& take) {
-  Json json{{"method", scene.settings.method}, {"measures", measures_to_json(take.measures, scene)}};
-  if (!take.failure.empty()) json["failure"] = take.failure;
+Json panel_to_json(const Scene& scene, const PanelOutcome& panel) {
+  Json json{{"method", scene.settings.method}, {"measures", measures_to_json(panel.measures, scene)}};
+  if (!panel.failure.empty()) json["failure"] = panel.failure;
   return json;
 }
 
@@ -40,12 +40,13 @@ void print_json(std::span<const Scene> scenes, const RenderRequest& request, con
   if (scenes.size() > 1) {
     json.erase("method");
     json["methods"] = Json::array();
-    for (std::size_t i = 0; i < outcome.takes.size(); ++i)
-      json["methods"].push_back(take_to_json(scenes[i], outcome.takes[i]));
-  } else if (!outcome.takes.empty()) {
-    json["measures"] = measures_to_json(outcome.takes.front().measures, scenes.front());
+    for (std::size_t i = 0; i < outcome.panels.size(); ++i)
+      json["methods"].push_back(panel_to_json(scenes[i], outcome.panels[i]));
+  } else if (!outcome.panels.empty()) {
+    json["measures"] = measures_to_json(outcome.panels.front().measures, scenes.front());
   }
   if (plan) json["plan"] = plan_to_json(*plan);
+  if (outcome.note) json["note"] = *outcome.note;
   if (request.folder) json["folder"] = request.folder->string();
   if (request.film && !outcome.stopped) json["film"] = request.film->string();
   fmt::print("{}\n", json.dump(2));
@@ -59,8 +60,15 @@ void print_summary(std::span<const Scene> scenes, const RenderRequest& request,
   if (request.film && !outcome.stopped) fmt::print(stderr, ", film in {}", request.film->string());
   if (request.film && outcome.stopped) fmt::print(stderr, ", no film");
   fmt::print(stderr, ", {}\n", duration_text(outcome.seconds));
-  for (const TakeOutcome& take : outcome.takes)
-    if (!take.failure.empty()) fmt::print(stderr, "{}\n", take.failure);
+  if (outcome.note) fmt::print(stderr, "taut: note: {}\n", *outcome.note);
+}
+
+// What went wrong is said in any case.
+void print_failures(std::span<const Scene> scenes, const RenderOutcome& outcome) {
+  for (std::size_t i = 0; i < outcome.panels.size(); ++i)
+    if (!outcome.panels[i].failure.empty())
+      fmt::print(stderr, "taut: the panel of {} went no further: {}\n", scenes[i].settings.method,
+                 outcome.panels[i].failure);
 }
 
 }  // namespace
@@ -97,7 +105,13 @@ int render_and_report(std::span<const Scene> scenes, const RenderRequest& reques
   if (flags.json) print_json(scenes, request, outcome, plan);
   if (!flags.quiet) print_summary(scenes, request, outcome);
   if (plan && !flags.quiet) print_accuracy(*plan);
-  return outcome.stopped ? exit_signal + interrupts.caught() : exit_done;
+  print_failures(scenes, outcome);
+  if (!outcome.stopped) return exit_done;
+  return report_interrupted(interrupts,
+                            fmt::format("{} of {} frames are there{}", outcome.shown, outcome.asked,
+                                        request.film     ? ", and no film"
+                                        : request.folder ? "; running the same again goes on"
+                                                         : ""));
 }
 
 }  // namespace taut

@@ -10,7 +10,7 @@
 #include "flags.h"
 #include "frames/colouring.h"
 #include "host/progress.h"
-#include "host/signals.h"
+#include "interrupted.h"
 #include "output/gnuplot.h"
 #include "study/sag_files.h"
 #include "values.h"
@@ -62,7 +62,7 @@ int sag(const SagFlags& flags) {
   const auto study = study_sag(
       scene, passes, [&](int done) { progress.update(done); }, [&] { return interrupts.caught() != 0; });
   progress.finish();
-  if (!study) return exit_signal + interrupts.caught();
+  if (!study) return report_interrupted(interrupts, "nothing was written");
   write_sag_files(scene, *study, settings, folder);
   if (flags.json) fmt::print("{}", sag_json(scene, *study));
   if (!flags.quiet)

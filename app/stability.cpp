@@ -12,7 +12,7 @@
 #include "command_line.h"
 #include "exit_status.h"
 #include "flags.h"
-#include "host/signals.h"
+#include "interrupted.h"
 #include "methods/registry.h"
 #include "output/gnuplot.h"
 #include "study/stability_files.h"
@@ -60,7 +60,7 @@ MapJob job_for(const StabilityFlags& flags, const std::string& scene, const std:
   const double duration = parse_seconds("--duration", flags.duration);
   if (!(duration > 0.0)) throw BadRequest("--duration must be above 0 s");
   job.request.methods = chosen_methods(flags.methods);
-  job.request.plan = make_map_plan(job.scene, find_map_axes(axes), grid.width, grid.height, duration);
+  job.request.grid = make_map_grid(job.scene, find_map_axes(axes), grid.width, grid.height, duration);
   job.request.shard = flags.shard.empty() ? shard_of_this_task() : parse_shard(flags.shard);
   job.request.overwrite = flags.overwrite;
   job.request.run = !flags.draw_only;
@@ -78,12 +78,15 @@ int carry_out(const MapJob& job, const StabilityFlags& flags, const InterruptWat
   const StabilityMaps maps = make_stability_maps(job.scene, job.request, job.folder, progress,
                                                  [&] { return interrupts.caught() != 0; });
   if (flags.json) fmt::print("{}", stability_json(maps, job.scene));
-  if (!flags.quiet)
-    fmt::print(stderr, "{} {}: {} of {} columns, in {}\n", job.scene.name, job.request.plan.axes->name,
-               maps.count.completed, maps.count.planned, job.folder.string());
-  if (maps.stopped) return exit_signal + interrupts.caught();
+  const bool complete = maps.count.completed == maps.count.planned;
+  // What is missing is the reason for the status, so it is said in any case.
+  if (!flags.quiet || !complete)
+    fmt::print(stderr, "{} {}: {} of {} columns{}, in {}\n", job.scene.name, job.request.grid.axes->name,
+               maps.count.completed, maps.count.planned, complete ? "" : "; the others are still to be run",
+               job.folder.string());
+  if (maps.stopped) return report_interrupted(interrupts, "running the same again goes on");
   if (job.request.shard.all()) write_stability_files(maps, job.scene, job.folder);
-  return maps.count.completed < maps.count.planned ? exit_incomplete : exit_done;
+  return complete ? exit_done : exit_incomplete;
 }
 
 int stability(const StabilityFlags& flags) {

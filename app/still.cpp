@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
 
 #include "command_line.h"
 #include "exit_status.h"
@@ -29,11 +31,14 @@ int still(const StillFlags& flags) {
   const double time = parse_seconds("--at", flags.at);
   const PictureSettings settings = flags.picture.settings();
   settle_method(scene, {}, flags.scene.method, flags.quiet);
-  make_still(scene, time, settings, flags.file);
-  if (flags.json)
-    fmt::print("{}\n",
-               nlohmann::ordered_json{{"scene", scene.name}, {"time", time}, {"file", flags.file}}.dump(2));
+  const std::optional<std::string> note = make_still(scene, time, settings, flags.file);
+  if (flags.json) {
+    nlohmann::ordered_json json{{"scene", scene.name}, {"time", time}, {"file", flags.file}};
+    if (note) json["note"] = *note;
+    fmt::print("{}\n", json.dump(2));
+  }
   if (!flags.quiet) fmt::print(stderr, "{}: {} s, in {}\n", scene.name, time, flags.file);
+  if (!flags.quiet && note) fmt::print(stderr, "taut: note: {}\n", *note);
   return exit_done;
 }
 

@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
 
 #include "command_line.h"
 #include "exit_status.h"
@@ -30,11 +32,14 @@ int strip(const StripFlags& flags) {
   const std::vector<double> times = strip_times(scene, parse_number("--count", flags.count));
   const PictureSettings settings = flags.picture.settings(usual_panel);
   settle_method(scene, {}, flags.scene.method, flags.quiet);
-  make_strip(scene, times, settings, flags.file);
-  if (flags.json)
-    fmt::print("{}\n",
-               nlohmann::ordered_json{{"scene", scene.name}, {"times", times}, {"file", flags.file}}.dump(2));
+  const std::optional<std::string> note = make_strip(scene, times, settings, flags.file);
+  if (flags.json) {
+    nlohmann::ordered_json json{{"scene", scene.name}, {"times", times}, {"file", flags.file}};
+    if (note) json["note"] = *note;
+    fmt::print("{}\n", json.dump(2));
+  }
   if (!flags.quiet) fmt::print(stderr, "{}: {} pictures, in {}\n", scene.name, times.size(), flags.file);
+  if (!flags.quiet && note) fmt::print(stderr, "taut: note: {}\n", *note);
   return exit_done;
 }
 

@@ -1,8 +1,14 @@
 #version 330 core
-// Ground with grid lines that fade where they would alias, and fog towards the horizon.
+// Ground with grid lines that fade where they would alias, and fog towards the horizon. What stops things is a
+// surface; what stops nothing is but lines on the mist, to see heights by.
 #include "lighting.glsl"
 
+uniform vec3 normal;
+uniform vec3 foot_and_height;
+uniform int solid;
+
 in vec3 point;
+in vec2 from_foot;
 
 out vec4 pixel;
 
@@ -16,13 +22,17 @@ float grid_lines(vec2 at, float half_width) {
 }
 
 void main() {
-  float away = length(point.xz - eye.xz);
-  float mist = smoothstep(fog.x, fog.y, away);
-  vec2 at = point.xz / fog.z;
-  float lines = 0.6 * grid_lines(at, 0.012) + 0.8 * grid_lines(0.25 * at, 0.006);
-  vec3 albedo = ground.rgb * (1.0 - ground.w * min(lines, 1.0));
-  vec3 normal = vec3(0.0, 1.0, 0.0);
+  float mist = smoothstep(fog.x, fog.y, length(from_foot));
+  vec2 at = (foot_and_height.xy + from_foot) / fog.z;
+  float lines = min(0.6 * grid_lines(at, 0.012) + 0.8 * grid_lines(0.25 * at, 0.006), 1.0);
   float reaching = light_reaching(point);
-  vec3 colour = display_from_linear(lit(albedo, normal, normalize(eye.xyz - point), reaching, 0.0));
-  pixel = vec4(mix(colour, horizon.rgb, mist), 1.0);
+  vec3 behind = sky_colour(normalize(point - eye.xyz));
+  vec3 colour;
+  if (solid != 0) {
+    vec3 albedo = ground.rgb * (1.0 - ground.w * lines);
+    colour = display_from_linear(lit(albedo, normal, normalize(eye.xyz - point), reaching, 0.0));
+  } else {
+    colour = behind * (1.0 - 0.7 * ground.w * lines) * mix(0.86, 1.0, reaching);
+  }
+  pixel = vec4(mix(colour, behind, mist), 1.0);
 }

@@ -7,6 +7,9 @@ vec3 linear_from_display(vec3 colour) { return colour * colour; }
 /// Softens highlights, then a square root in place of the sRGB curve: cheaper, and the eye can't tell.
 vec3 display_from_linear(vec3 colour) { return sqrt(colour / (1.0 + 0.12 * colour)); }
 
+/// The colour of the sky, or below the horizon of the mist, in a direction of unit length.
+vec3 sky_colour(vec3 sight) { return mix(horizon.rgb, sky.rgb, smoothstep(0.0, 0.45, sight.y)); }
+
 /// Mean of four comparisons with the shadow map, a quarter turn apart.
 float four_taps(vec3 at, vec2 arm) {
   return 0.25 * (texture(shadow_map, at + vec3(arm, 0.0)) + texture(shadow_map, at - vec3(arm, 0.0)) +

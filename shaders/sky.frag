@@ -10,6 +10,5 @@ out vec4 pixel;
 
 void main() {
   vec3 sight = normalize(forward.xyz + at.x * right + at.y * down);
-  float height = smoothstep(0.0, 0.45, sight.y);
-  pixel = vec4(mix(horizon.rgb, sky.rgb, height), 1.0);
+  pixel = vec4(sky_colour(sight), 1.0);
 }

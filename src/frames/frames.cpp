@@ -13,6 +13,7 @@
 #include "bounded_queue.h"
 #include "frames/colouring.h"
 #include "frames/frame_selection.h"
+#include "frames/ground_note.h"
 #include "frames/panels.h"
 #include "output/film.h"
 #include "panel_runs.h"
@@ -25,7 +26,7 @@ namespace {
 struct Posed {
   int frame = 0;
   std::string hash;
-  std::vector<Take> takes;
+  std::vector<PanelState> panels;
   std::vector<std::vector<std::string>> lines;  // what is said of each, where there are several
 };
 
@@ -64,19 +65,19 @@ class FirstFailure {
 // queue it hands to, and whoever fails also the one it takes from, so that nobody waits for ever.
 class Pipeline {
  public:
-  Pipeline(std::span<const Scene> scenes, const RenderRequest& request, RenderPlan& plan, Progress& progress,
+  Pipeline(std::span<const Scene> scenes, const RenderRequest& request, RenderJob& job, Progress& progress,
            const StopTest& stop)
       : scenes_(scenes),
         request_(request),
-        plan_(plan),
+        job_(job),
         progress_(progress),
         stop_(stop),
-        already_there_(plan.folder ? plan.folder->manifest().frames : std::map<int, std::string>{}) {}
+        already_there_(job.folder ? job.folder->manifest().frames : std::map<int, std::string>{}) {}
 
   RenderOutcome run();
 
  private:
-  void simulate();
+  void simulate(PanelRuns& runs);
   void paint(PanelPainter& painter);
   Image picture(const Posed& posed, PanelPainter& painter) const;
   void save_frames();
@@ -84,15 +85,16 @@ class Pipeline {
   void start_film(std::optional<Film>& film) const;
   void finish(std::optional<Film>& film);
 
+  bool shows_ground() const { return !request_.picture.render.transparent; }
   bool told_to_stop() const { return failure_.any() || (stop_ && stop_()); }
   bool frame_wanted(const Posed& posed) const {
     const auto there = already_there_.find(posed.frame);
-    return plan_.folder && (there == already_there_.end() || there->second != posed.hash);
+    return job_.folder && (there == already_there_.end() || there->second != posed.hash);
   }
 
   std::span<const Scene> scenes_;
   const RenderRequest& request_;
-  RenderPlan& plan_;
+  RenderJob& job_;
   Progress& progress_;
   const StopTest& stop_;
   // A copy: the folder's own list grows in another thread than the one that asks.
@@ -106,35 +108,36 @@ class Pipeline {
   RenderOutcome outcome_;
 };
 
-void Pipeline::simulate() {
-  Takes takes(scenes_);
-  for (const int frame : plan_.frames) {
-    std::optional<std::vector<Take>> now =
-        takes.at(frame_time(frame, request_.frames_per_second), [&] { return told_to_stop(); });
+void Pipeline::simulate(PanelRuns& runs) {
+  for (const int frame : job_.frames) {
+    std::optional<std::vector<PanelState>> now =
+        runs.at(frame_time(frame, request_.frames_per_second), [&] { return told_to_stop(); });
     if (!now || told_to_stop()) {
       stopped_ = true;
       return;
     }
-    Posed posed{frame, takes_hash(*now), {}, {}};
-    for (std::size_t i = 0; i < now->size() && (now->size() > 1 || frame == plan_.frames.back()); ++i) {
-      const TakeOutcome outcome{takes.measures(i), (*now)[i].failure};
-      posed.lines.push_back(take_lines(scenes_[i], outcome.measures, outcome.failure));
-      if (frame == plan_.frames.back()) outcome_.takes.push_back(outcome);
+    Posed posed{frame, panels_hash(*now), {}, {}};
+    for (std::size_t i = 0; i < now->size() && shows_ground() && !outcome_.note; ++i)
+      outcome_.note = ground_note(scenes_[i], (*now)[i].state);
+    for (std::size_t i = 0; i < now->size() && (now->size() > 1 || frame == job_.frames.back()); ++i) {
+      const PanelOutcome outcome{runs.measures(i), (*now)[i].failure};
+      posed.lines.push_back(panel_lines(scenes_[i], outcome.measures, outcome.failure));
+      if (frame == job_.frames.back()) outcome_.panels.push_back(outcome);
     }
-    posed.takes = *std::move(now);
+    posed.panels = *std::move(now);
     if (!posed_.push(std::move(posed))) return;
   }
 }
 
 Image Pipeline::picture(const Posed& posed, PanelPainter& painter) const {
   std::vector<Panel> panels;
-  for (std::size_t i = 0; i < posed.takes.size(); ++i) {
+  for (std::size_t i = 0; i < posed.panels.size(); ++i) {
     Panel& panel = panels.emplace_back();
-    panel.state = &posed.takes[i].state;
-    if (posed.takes.size() == 1) continue;
-    panel.title = take_title(scenes_[i]);
+    panel.state = &posed.panels[i].state;
+    if (posed.panels.size() == 1) continue;
+    panel.title = panel_title(scenes_[i]);
     panel.lines = posed.lines[i];
-    panel.failed = !posed.takes[i].failure.empty();
+    panel.failed = !posed.panels[i].failure.empty();
     panel.plain = !colour_problem(scenes_[i]).empty();
   }
   return painter.draw(panels);
@@ -144,12 +147,12 @@ void Pipeline::paint(PanelPainter& painter) {
   while (std::optional<Posed> posed = posed_.pop()) {
     if (failure_.any()) continue;  // what is posed already is let go
     const bool wanted = frame_wanted(*posed);
-    if (wanted || plan_.make_film) {
+    if (wanted || job_.make_film) {
       Painted painted{posed->frame, posed->hash, std::make_shared<const Image>(picture(*posed, painter))};
-      if (plan_.make_film) to_film_.push(painted);
+      if (job_.make_film) to_film_.push(painted);
       if (wanted) to_save_.push(std::move(painted));
     }
-    if (!wanted && plan_.folder) ++outcome_.kept;
+    if (!wanted && job_.folder) ++outcome_.kept;
     outcome_.last_state_hash = std::move(posed->hash);
     progress_.update(static_cast<int>(++outcome_.shown));
   }
@@ -157,7 +160,7 @@ void Pipeline::paint(PanelPainter& painter) {
 
 void Pipeline::save_frames() {
   while (const std::optional<Painted> painted = to_save_.pop())
-    plan_.folder->write(painted->frame, *painted->image, painted->hash);
+    job_.folder->write(painted->frame, *painted->image, painted->hash);
 }
 
 void Pipeline::shoot_film(Film& film) {
@@ -166,14 +169,15 @@ void Pipeline::shoot_film(Film& film) {
 
 RenderOutcome Pipeline::run() {
   const auto start = std::chrono::steady_clock::now();
-  if (plan_.folder) plan_.folder->begin();
+  PanelRuns runs(scenes_);  // first of all: what a method refuses is said before anything is written
+  if (job_.folder) job_.folder->begin();
   std::optional<Film> film;
-  if (plan_.make_film) start_film(film);
+  if (job_.make_film) start_film(film);
   PanelPainter painter(scenes_.front(), request_.picture);
-  progress_.start(static_cast<int>(plan_.frames.size()));
+  progress_.start(static_cast<int>(job_.frames.size()));
 
   std::thread simulating([&] {
-    step_failure_.watch([&] { simulate(); });
+    step_failure_.watch([&] { simulate(runs); });
     posed_.close();
   });
   std::thread saving([&] {
@@ -200,7 +204,7 @@ RenderOutcome Pipeline::run() {
 
 void Pipeline::start_film(std::optional<Film>& film) const {
   if (request_.film->has_parent_path()) make_folder(request_.film->parent_path());
-  film.emplace(film_plan(request_, scenes_.size()));
+  film.emplace(film_settings(request_, scenes_.size()));
 }
 
 void Pipeline::finish(std::optional<Film>& film) {
@@ -209,12 +213,12 @@ void Pipeline::finish(std::optional<Film>& film) {
   if (film && whole) {
     failure_.watch([&] {
       film->finish();
-      plan_.film.bytes = std::filesystem::file_size(*request_.film);
-      if (plan_.folder) plan_.folder->add_film(plan_.film);
+      job_.film.bytes = std::filesystem::file_size(*request_.film);
+      if (job_.folder) job_.folder->add_film(job_.film);
     });
   }
   // Whatever happened, the manifest says which frames there are.
-  if (plan_.folder) failure_.watch([&] { plan_.folder->save(); });
+  if (job_.folder) failure_.watch([&] { job_.folder->save(); });
   failure_.rethrow();
   step_failure_.rethrow();
 }
@@ -223,16 +227,16 @@ void Pipeline::finish(std::optional<Film>& film) {
 
 RenderOutcome render_frames(std::span<const Scene> scenes, const RenderRequest& request, Progress& progress,
                             const StopTest& stop) {
-  RenderPlan plan = make_render_plan(scenes, request);
+  RenderJob job = make_render_job(scenes, request);
   RenderOutcome outcome;
-  if (plan.complete())
-    outcome.shown = outcome.kept = plan.frames.size();
+  if (job.complete())
+    outcome.shown = outcome.kept = job.frames.size();
   else
-    outcome = Pipeline(scenes, request, plan, progress, stop).run();
-  outcome.asked = plan.frames.size();
-  outcome.inputs = plan.inputs;
+    outcome = Pipeline(scenes, request, job, progress, stop).run();
+  outcome.asked = job.frames.size();
+  outcome.inputs = job.inputs;
   outcome.size = sheet_size(request.picture.render.size, scenes.size());
-  outcome.film_kept = request.film && !plan.make_film;
+  outcome.film_kept = request.film && !job.make_film;
   return outcome;
 }
 

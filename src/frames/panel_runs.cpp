@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <exception>
+#include <new>
+#include <utility>
 
 #include "base/digits.h"
 #include "base/failure.h"
@@ -11,34 +14,54 @@
 #include "methods/registry.h"
 
 namespace taut {
-Takes::Takes(std::span<const Scene> scenes) {
+
+bool move_on(PanelState& panel, const std::function<std::optional<State>()>& next) {
+  try {
+    std::optional<State> state = next();
+    if (!state) return false;
+    panel.state = *std::move(state);
+  } catch (const std::bad_alloc&) {
+    panel.failure = "this machine has not enough memory for that";
+  } catch (const std::exception& failure) {
+    panel.failure = failure.what();
+  } catch (...) {
+    panel.failure = "the run ended for a reason that nothing is known of";
+  }
+  return true;
+}
+
+PanelRuns::PanelRuns(std::span<const Scene> scenes) {
   simulations_.reserve(scenes.size());
   for (const Scene& scene : scenes) {
-    simulations_.emplace_back(scene);
-    takes_.push_back({scene.start, {}});
-  }
-}
-
-std::optional<std::vector<Take>> Takes::at(double time, const StopTest& stop) {
-  for (std::size_t i = 0; i < takes_.size(); ++i) {
-    if (!takes_[i].failure.empty()) continue;
     try {
-      std::optional<State> state = simulations_[i].at(time, stop);
-      if (!state) return std::nullopt;
-      takes_[i].state = *std::move(state);
-    } catch (const RunFailure& failure) {
-      if (takes_.size() == 1) throw;
-      takes_[i].failure = failure.what();
+      simulations_.emplace_back(scene);
+    } catch (const BadRequest& refusal) {
+      if (scenes.size() == 1) throw;
+      throw BadRequest(fmt::format("the panel of {}: {}", panel_title(scene), refusal.what()));
     }
+    panels_.push_back({scene.start, {}});
   }
-  return takes_;
 }
 
-RunMeasures Takes::measures(std::size_t which) const {
-  return simulations_[which].measures(takes_[which].state);
+std::optional<std::vector<PanelState>> PanelRuns::at(double time, const StopTest& stop) {
+  if (panels_.size() == 1) {
+    std::optional<State> state = simulations_.front().at(time, stop);
+    if (!state) return std::nullopt;
+    panels_.front().state = *std::move(state);
+    return panels_;
+  }
+  for (std::size_t i = 0; i < panels_.size(); ++i) {
+    if (!panels_[i].failure.empty()) continue;
+    if (!move_on(panels_[i], [&] { return simulations_[i].at(time, stop); })) return std::nullopt;
+  }
+  return panels_;
 }
 
-std::string take_title(const Scene& scene) {
+RunMeasures PanelRuns::measures(std::size_t which) const {
+  return simulations_[which].measures(panels_[which].state);
+}
+
+std::string panel_title(const Scene& scene) {
   const Settings& settings = scene.settings;
   std::string title = settings.method;
   for (const auto& [name, value] : settings.values) {
@@ -51,8 +74,8 @@ std::string take_title(const Scene& scene) {
   return title + fmt::format(", {} steps/s", settings.steps_per_second());
 }
 
-std::vector<std::string> take_lines(const Scene& scene, const RunMeasures& measures,
-                                    const std::string& failure) {
+std::vector<std::string> panel_lines(const Scene& scene, const RunMeasures& measures,
+                                     const std::string& failure) {
   if (!failure.empty()) return {fmt::format("went no further than {:.3g} s", measures.time)};
   std::vector<std::string> lines{"strain " + percent(measures.strain.largest)};
   if (scene.look.colour_by == ColourBy::tension && !colour_problem(scene).empty())
@@ -63,10 +86,10 @@ std::vector<std::string> take_lines(const Scene& scene, const RunMeasures& measu
   return lines;
 }
 
-std::string takes_hash(const std::vector<Take>& takes) {
-  if (takes.size() == 1) return fmt::format("{:016x}", state_hash(takes.front().state));
+std::string panels_hash(const std::vector<PanelState>& panels) {
+  if (panels.size() == 1) return fmt::format("{:016x}", state_hash(panels.front().state));
   Hash hash;
-  for (const Take& take : takes) hash.add(fmt::format("{:016x}", state_hash(take.state)));
+  for (const PanelState& panel : panels) hash.add(fmt::format("{:016x}", state_hash(panel.state)));
   return hash.hex();
 }
 

@@ -64,42 +64,42 @@ std::string name_in_manifest(const RenderRequest& request) {
 }
 
 // What the manifest says of the film, where that film is still the one on disk.
-const FilmRecord* film_on_disk(const RenderPlan& plan, const fs::path& file) {
-  if (!plan.folder) return nullptr;
-  const auto& films = plan.folder->manifest().films;
-  const auto found = std::ranges::find(films, plan.film.file, &FilmRecord::file);
+const FilmRecord* film_on_disk(const RenderJob& job, const fs::path& file) {
+  if (!job.folder) return nullptr;
+  const auto& films = job.folder->manifest().films;
+  const auto found = std::ranges::find(films, job.film.file, &FilmRecord::file);
   std::error_code error;
   return found != films.end() && fs::file_size(file, error) == found->bytes && !error ? &*found : nullptr;
 }
 
-void plan_film(RenderPlan& plan, const RenderRequest& request) {
-  plan.film = {name_in_manifest(request), selection_text(plan.frames), 0};
-  plan.make_film = true;
+void settle_film(RenderJob& job, const RenderRequest& request) {
+  job.film = {name_in_manifest(request), selection_text(job.frames), 0};
+  job.make_film = true;
   std::error_code error;
   if (fs::is_directory(*request.film, error))
     throw BadRequest(fmt::format("{} is a folder, not a name for a film", request.film->string()));
   if (request.overwrite || !fs::exists(*request.film, error)) return;
-  const FilmRecord* there = film_on_disk(plan, *request.film);
+  const FilmRecord* there = film_on_disk(job, *request.film);
   if (there == nullptr)
     throw OutputConflict(
         fmt::format("{} exists, and nothing here says that it was made from the same inputs; "
                     "--overwrite replaces it",
                     request.film->string()));
-  plan.make_film = there->frames != plan.film.frames;
+  job.make_film = there->frames != job.film.frames;
 }
 
 }  // namespace
 
-FilmPlan film_plan(const RenderRequest& request, std::size_t panels) {
+FilmSettings film_settings(const RenderRequest& request, std::size_t panels) {
   return {*request.film, sheet_size(request.picture.render.size, panels), request.frames_per_second,
           request.picture.render.transparent};
 }
 
-bool RenderPlan::complete() const {
+bool RenderJob::complete() const {
   return !make_film && folder && std::ranges::all_of(frames, [&](int frame) { return folder->has(frame); });
 }
 
-RenderPlan make_render_plan(std::span<const Scene> scenes, const RenderRequest& request) {
+RenderJob make_render_job(std::span<const Scene> scenes, const RenderRequest& request) {
   if (!request.folder && !request.film)
     throw BadRequest("without frames and without a film there is nothing to make; --film FILE asks for one");
   // Of several methods those that don't know what their panels are to be coloured by stay plain.
@@ -108,17 +108,17 @@ RenderPlan make_render_plan(std::span<const Scene> scenes, const RenderRequest& 
   check_size(request.picture.render.size);
   check_size(sheet_size(request.picture.render.size, scenes.size()));
   check_rate(request.frames_per_second);
-  RenderPlan plan;
+  RenderJob job;
   const int count = frame_count(scenes.front().duration, request.frames_per_second);
-  plan.frames = request.selection ? select_frames(*request.selection, count) : all_frames(count);
-  if (request.film) check_film_plan(film_plan(request, scenes.size()));
+  job.frames = request.selection ? select_frames(*request.selection, count) : all_frames(count);
+  if (request.film) check_film_settings(film_settings(request, scenes.size()));
 
   const Manifest wanted = wanted_manifest(scenes, request);
-  plan.inputs = wanted.inputs;
-  if (request.folder) plan.folder.emplace(*request.folder, wanted, request.overwrite);
-  if (request.film) plan_film(plan, request);
-  if (plan.make_film) require_film_encoder();
-  return plan;
+  job.inputs = wanted.inputs;
+  if (request.folder) job.folder.emplace(*request.folder, wanted, request.overwrite);
+  if (request.film) settle_film(job, request);
+  if (job.make_film) require_film_encoder();
+  return job;
 }
 
 }  // namespace taut

@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "output/film.h"
 #include "frames/frame_folder.h"
 #include "frames/frames.h"
+#include "output/film.h"
 
 namespace taut {
 
 /// A request, checked against the scene and against what is on disk.
-struct RenderPlan {
+struct RenderJob {
   std::vector<int> frames;  ///< rising
   std::string inputs;       ///< hash of everything that decides what the frames look like
   std::optional<FrameFolder> folder;
@@ -24,10 +24,10 @@ struct RenderPlan {
 };
 
 /// The film that a request asks for, of so many panels; only for one that asks.
-FilmPlan film_plan(const RenderRequest& request, std::size_t panels);
+FilmSettings film_settings(const RenderRequest& request, std::size_t panels);
 
 /// Checks a request. Writes nothing. Throws BadRequest, OutputConflict, and RunFailure where the program for
 /// films is missing.
-RenderPlan make_render_plan(std::span<const Scene> scenes, const RenderRequest& request);
+RenderJob make_render_job(std::span<const Scene> scenes, const RenderRequest& request);
 
 }  // namespace taut

@@ -8,6 +8,7 @@
 
 #include "base/failure.h"
 #include "frames/colouring.h"
+#include "frames/ground_note.h"
 #include "frames/simulation.h"
 #include "output/atomic_file.h"
 #include "output/png.h"
@@ -33,9 +34,9 @@ void check_times(const Scene& scene, const std::vector<double>& times) {
           fmt::format("{} lasts from 0 to {} s; {} s is outside", scene.name, scene.duration, time));
 }
 
-void make_still(const Scene& scene, double time, const PictureSettings& settings,
-                const std::filesystem::path& file) {
-  make_strip(scene, {time}, settings, file);
+std::optional<std::string> make_still(const Scene& scene, double time, const PictureSettings& settings,
+                                      const std::filesystem::path& file) {
+  return make_strip(scene, {time}, settings, file);
 }
 
 std::vector<double> strip_times(const Scene& scene, double count) {
@@ -47,8 +48,8 @@ std::vector<double> strip_times(const Scene& scene, double count) {
   return times;
 }
 
-void make_strip(const Scene& scene, const std::vector<double>& times, const PictureSettings& settings,
-                const std::filesystem::path& file) {
+std::optional<std::string> make_strip(const Scene& scene, const std::vector<double>& times,
+                                      const PictureSettings& settings, const std::filesystem::path& file) {
   require_colours(scene);
   check_size(settings.render.size);
   check_times(scene, times);
@@ -58,10 +59,16 @@ void make_strip(const Scene& scene, const std::vector<double>& times, const Pict
   PendingFile pending(file);  // first of all, so that a folder that can't be written costs no simulation
   Painter painter(scene, settings);
   Image sheet = Image::blank(whole, settings.render.transparent ? 4 : 3);
-  for (std::size_t i = 0; i < times.size(); ++i) paste(painter.draw(*simulation.at(times[i])), i, sheet);
+  std::optional<std::string> note;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const State state = *simulation.at(times[i]);
+    if (!note && !settings.render.transparent) note = ground_note(scene, state);
+    paste(painter.draw(state), i, sheet);
+  }
   const std::vector<std::uint8_t> png = encode_png(sheet);
   pending.write(std::as_bytes(std::span(png)));
   pending.commit();
+  return note;
 }
 
 }  // namespace taut

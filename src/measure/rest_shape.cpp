@@ -20,13 +20,13 @@ double end_of(const Motion& motion) {
 }
 
 // A chain that the formulas know: alone in its scene, along the arrays, every link alike and every inner mass
-// alike, gravity along −y, and all of it in a vertical plane through its pins.
+// alike, and all of it in a vertical plane through its pins.
 bool is_plain_chain(const Model& model) {
   if (model.chains.size() != 1 || !model.loads.empty() || model.plane) return false;
   const Chain& chain = model.chains.front();
   const Links& links = model.links;
   if (chain.link_count != links.size() || chain.link_count + 1 != model.masses.size()) return false;
-  if (model.gravity.x() != 0.0 || model.gravity.z() != 0.0 || !(model.gravity.y() < 0.0)) return false;
+  if (model.gravity.isZero(0.0)) return false;
   if (!model.masses.pinned(0)) return false;
   for (std::size_t i = 1; i + 1 < model.masses.size(); ++i)
     if (model.masses.pinned(i) || model.masses.mass[i] != model.masses.mass[1]) return false;
@@ -52,6 +52,7 @@ RestShape shape_of(const Model& model, const State& start, const std::vector<Vec
 
 // Straight down from its pin: every link carries what hangs below it.
 RestShape hang_down(const Model& model, const State& start) {
+  const Vec3 up = up_direction(model);
   std::vector<Vec3> positions{start.position.at(0)};
   std::vector<double> tensions;
   double below = 0.0;
@@ -60,7 +61,7 @@ RestShape hang_down(const Model& model, const State& start) {
     const double tension = below * model.gravity.norm();
     tensions.push_back(tension);
     positions.push_back(positions.back() -
-                        Vec3(0.0, model.links.length[i] + model.links.compliance(i) * tension, 0.0));
+                        (model.links.length[i] + model.links.compliance(i) * tension) * up);
     below -= model.masses.mass[i + 1];
   }
   return shape_of(model, start, positions, tensions);
@@ -70,19 +71,22 @@ RestShape hang_down(const Model& model, const State& start) {
 std::optional<RestShape> hang_between(const Model& model, const State& start) {
   const std::size_t last = model.masses.size() - 1;
   const Vec3 from = start.position.at(0), to = start.position.at(last);
-  const Vec3 across(to.x() - from.x(), 0.0, to.z() - from.z());
+  const Vec3 up = up_direction(model);
+  const double rise = up.dot(to - from);
+  const Vec3 across = to - from - rise * up;
   const double span = across.norm();
   const double length = model.links.length[0], compliance = model.links.compliance(0);
   const auto count = static_cast<int>(model.links.size());
   // Pins above each other have no plane, and a rigid chain that is too short no curve.
-  if (span == 0.0 || (compliance == 0.0 && (to - from).norm() >= length * count) || last < 2)
+  if (span <= 1e-12 * length * count || (compliance == 0.0 && (to - from).norm() >= length * count) ||
+      last < 2)
     return std::nullopt;
   const double weight = model.masses.mass[1] * model.gravity.norm();
-  const HangingChain chain = hanging_chain_at_rest(Vec3::Zero(), Vec3(span, to.y() - from.y(), 0.0), count,
-                                                   length, compliance, weight);
+  const HangingChain chain =
+      hanging_chain_at_rest(Vec3::Zero(), Vec3(span, rise, 0.0), count, length, compliance, weight);
   std::vector<Vec3> positions;
   for (const Vec3& place : chain.positions)
-    positions.push_back(from + across * (place.x() / span) + Vec3(0.0, place.y(), 0.0));
+    positions.push_back(from + across * (place.x() / span) + place.y() * up);
   return shape_of(model, start, positions, chain.tensions);
 }
 

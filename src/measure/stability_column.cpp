@@ -19,31 +19,31 @@ constexpr double stretch = 0.01;            // what passes are to shrink …
 constexpr double shrinkage = 1e-3;          // … to this share
 
 // The method's settings in a row of the map.
-Settings row_settings(const MapPlan& plan, double row, const Settings& given) {
+Settings row_settings(const MapGrid& grid, double row, const Settings& given) {
   Settings settings = given;
-  const bool passes = plan.axes->rows == MapRows::passes;
+  const bool passes = grid.axes->rows == MapRows::passes;
   settings.values["steps_per_second"] = passes ? frame_rate : 1.0 / row;
   if (passes) settings.values["passes"] = row;
   return settings;
 }
 
 // Runs one cell. Steps are made a little shorter where that makes the duration a whole number of them.
-RunOutcome run_cell(const MapPlan& plan, double row, const Built& variant, const ColumnTruth& truth,
+RunOutcome run_cell(const MapGrid& grid, double row, const Built& variant, const ColumnTruth& truth,
                     const Settings& given) {
-  const Settings settings = row_settings(plan, row, given);
-  const double wanted = plan.duration * settings.steps_per_second();
+  const Settings settings = row_settings(grid, row, given);
+  const double wanted = grid.duration * settings.steps_per_second();
   const auto steps = static_cast<std::int64_t>(std::ceil(wanted * (1.0 - 1e-9)));
   Settings fitted = settings;
-  fitted.values["steps_per_second"] = static_cast<double>(steps) / plan.duration;
+  fitted.values["steps_per_second"] = static_cast<double>(steps) / grid.duration;
   RunOutcome outcome = run_unguarded(variant.model, variant.start, fitted, std::max(steps, fewest_steps),
                                      truth.reference ? &*truth.reference : nullptr, steps);
   outcome.error /= total_link_length(variant.model);
   return outcome;
 }
 
-bool step_holds(const MapPlan& plan, double h, const Built& variant, const Settings& given) {
-  const auto steps = static_cast<std::int64_t>(std::ceil(plan.duration / h));
-  return !run_unguarded(variant.model, variant.start, row_settings(plan, h, given),
+bool step_holds(const MapGrid& grid, double h, const Built& variant, const Settings& given) {
+  const auto steps = static_cast<std::int64_t>(std::ceil(grid.duration / h));
+  return !run_unguarded(variant.model, variant.start, row_settings(grid, h, given),
                         std::max(steps, fewest_steps))
               .failed();
 }
@@ -78,20 +78,20 @@ double last_mass_ratio(const Model& model) {
 
 // Kept velocities gain energy as t² whatever the step: a run that is long enough for 10³ energy scales
 // diverges, and runs of longer steps are longer (fewest_steps).
-Prediction kept_velocity_step(const MapPlan& plan, const Built& variant) {
-  const double gain = kept_velocity_gain(variant.model, variant.start, plan.duration);
-  const double time = plan.duration * std::sqrt(divergence / gain);
-  return {time > plan.duration ? time / static_cast<double>(fewest_steps) : 0.0, "energy m (g t)²/2"};
+Prediction kept_velocity_step(const MapGrid& grid, const Built& variant) {
+  const double gain = kept_velocity_gain(variant.model, variant.start, grid.duration);
+  const double time = grid.duration * std::sqrt(divergence / gain);
+  return {time > grid.duration ? time / static_cast<double>(fewest_steps) : 0.0, "energy m (g t)²/2"};
 }
 
 // The edge between the rows that hold from the shortest step on and the first that fails.
-std::optional<Edge> edge_of_rows(const MapPlan& plan, const MapColumn& column, const Built& variant,
+std::optional<Edge> edge_of_rows(const MapGrid& grid, const MapColumn& column, const Built& variant,
                                  const Settings& given) {
   std::size_t first_failed = 0;
   while (first_failed < column.cells.size() && !column.cells[first_failed].failed()) ++first_failed;
   if (first_failed == 0 || first_failed == column.cells.size()) return std::nullopt;
-  return narrow_edge([&](double h) { return step_holds(plan, h, variant, given); },
-                     {plan.rows[first_failed - 1], plan.rows[first_failed]});
+  return narrow_edge([&](double h) { return step_holds(grid, h, variant, given); },
+                     {grid.rows[first_failed - 1], grid.rows[first_failed]});
 }
 
 }  // namespace
@@ -110,22 +110,22 @@ ColumnTruth column_truth(const Built& variant, double duration) {
   return truth;
 }
 
-std::optional<MapColumn> map_column(const MapPlan& plan, double value, const Built& variant,
+std::optional<MapColumn> map_column(const MapGrid& grid, double value, const Built& variant,
                                     const ColumnTruth& truth, const Settings& given,
                                     const std::function<bool()>& stop) {
   MapColumn column;
   column.value = value;
   const Method& method = *find_method(given.method);
-  const bool passes = plan.axes->rows == MapRows::passes;
+  const bool passes = grid.axes->rows == MapRows::passes;
   if (passes && find_param(method, "passes") == nullptr) {
     column.refusal = fmt::format("method \"{}\" makes no passes", method.name);
   } else if (const auto problems = capability_problems(variant.model, method); !problems.empty()) {
     column.refusal = problems.front();
   }
   if (!column.refusal.empty()) return column;
-  for (const double row : plan.rows) {
+  for (const double row : grid.rows) {
     if (stop && stop()) return std::nullopt;
-    column.cells.push_back(run_cell(plan, row, variant, truth, given));
+    column.cells.push_back(run_cell(grid, row, variant, truth, given));
   }
   if (passes) {
     column.predicted = {
@@ -135,9 +135,9 @@ std::optional<MapColumn> map_column(const MapPlan& plan, double value, const Bui
                             10.0 * column.predicted->value);
   } else {
     column.predicted = method.can.limit == StepLimit::kept_velocities
-                           ? kept_velocity_step(plan, variant)
+                           ? kept_velocity_step(grid, variant)
                            : predicted_step(variant.model, variant.start, method, truth.tensions);
-    column.edge = edge_of_rows(plan, column, variant, given);
+    column.edge = edge_of_rows(grid, column, variant, given);
   }
   return column;
 }

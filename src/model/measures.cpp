@@ -85,13 +85,19 @@ Vec3 centre_of_mass(const Model& model, const State& state) {
   return mass > 0.0 ? Vec3(sum / mass) : sum;
 }
 
+Vec3 up_direction(const Model& model) {
+  const bool weightless = model.gravity.isZero(0.0);
+  return weightless ? Vec3(Vec3::UnitY()) : Vec3(-model.gravity.stableNormalized());
+}
+
 double sag(const Model& model, const State& state) {
+  const Vec3 up = up_direction(model);
   double lowest = infinity, lowest_pin = infinity, highest = -infinity;
   for (std::size_t i = 0; i < model.masses.size(); ++i) {
-    const double y = state.position.y[i];
-    lowest = std::min(lowest, y);
-    highest = std::max(highest, y);
-    if (model.masses.pinned(i)) lowest_pin = std::min(lowest_pin, y);
+    const double height = up.dot(state.position.at(i));
+    lowest = std::min(lowest, height);
+    highest = std::max(highest, height);
+    if (model.masses.pinned(i)) lowest_pin = std::min(lowest_pin, height);
   }
   return (lowest_pin < infinity ? lowest_pin : highest) - lowest;
 }

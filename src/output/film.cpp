@@ -34,35 +34,35 @@ void add_words(std::vector<std::string>& words, std::string_view text) {
   }
 }
 
-std::vector<std::string> encoder_arguments(const FilmPlan& plan, const std::filesystem::path& to) {
-  const FilmFormat& format = *find_film_format(plan.file);
+std::vector<std::string> encoder_arguments(const FilmSettings& settings, const std::filesystem::path& to) {
+  const FilmFormat& format = *find_film_format(settings.file);
   std::vector<std::string> arguments{"-hide_banner", "-nostats", "-loglevel", "error", "-y"};
   const auto add = [&](auto... words) { (arguments.emplace_back(words), ...); };
-  add("-f", "rawvideo", "-pixel_format", plan.transparent ? "rgba" : "rgb24");
-  add("-video_size", fmt::format("{}x{}", plan.size.width, plan.size.height));
-  add("-framerate", fmt::format("{}", plan.frames_per_second), "-i", "pipe:0", "-an");
+  add("-f", "rawvideo", "-pixel_format", settings.transparent ? "rgba" : "rgb24");
+  add("-video_size", fmt::format("{}x{}", settings.size.width, settings.size.height));
+  add("-framerate", fmt::format("{}", settings.frames_per_second), "-i", "pipe:0", "-an");
   add_words(arguments, format.colours);
-  add_words(arguments, plan.transparent ? format.encoder_with_opacity : format.encoder);
+  add_words(arguments, settings.transparent ? format.encoder_with_opacity : format.encoder);
   // The name is no help to ffmpeg: it is a temporary one.
   add("-f", format.ending.substr(1), fmt::format("file:{}", to.string()));
   return arguments;
 }
 
-const FilmPlan& checked(const FilmPlan& plan) {
-  check_film_plan(plan);
-  return plan;
+const FilmSettings& checked(const FilmSettings& settings) {
+  check_film_settings(settings);
+  return settings;
 }
 
 }  // namespace
 
-void check_film_plan(const FilmPlan& plan) {
-  const FilmFormat* format = find_film_format(plan.file);
+void check_film_settings(const FilmSettings& settings) {
+  const FilmFormat* format = find_film_format(settings.file);
   if (format == nullptr)
-    throw BadRequest(
-        fmt::format("a film's name has to end in one of {}; \"{}\" does not", endings(), plan.file.string()));
-  if (plan.transparent && !format->transparent)
+    throw BadRequest(fmt::format("a film's name has to end in one of {}; \"{}\" does not", endings(),
+                                 settings.file.string()));
+  if (settings.transparent && !format->transparent)
     throw BadRequest(fmt::format("{} films can't be transparent; .webm and .webp can", format->ending));
-  const auto [width, height] = plan.size;
+  const auto [width, height] = settings.size;
   if (format->even_sizes && (width % 2 != 0 || height % 2 != 0))
     throw BadRequest(
         fmt::format("{} films store colour for squares of 2×2 pixels, so width and height have to be "
@@ -76,9 +76,9 @@ void require_film_encoder() {
   encoder_program();
 }
 
-Film::Film(const FilmPlan& plan)
-    : file_(checked(plan).file),
-      encoder_(encoder_program(), encoder_arguments(plan, file_.temporary_name())) {}
+Film::Film(const FilmSettings& settings)
+    : file_(checked(settings).file),
+      encoder_(encoder_program(), encoder_arguments(settings, file_.temporary_name())) {}
 
 void Film::add(const Image& frame) {
   if (!encoder_.feed(std::as_bytes(std::span(frame.pixels)))) fail(encoder_.finish());

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/failure.h"
+#include "model/measures.h"
 #include "view_matrices.h"
 
 namespace taut {
@@ -20,26 +21,51 @@ Vec3 displacement(const std::string& name, const Model& model, const State& star
   return now.position.at(mass) - start.position.at(mass);
 }
 
-Vec3 turned_about_vertical(const Vec3& v, double degrees) {
-  const double angle = degrees * std::numbers::pi / 180.0;
-  const double c = std::cos(angle), s = std::sin(angle);
-  return {c * v.x() + s * v.z(), v.y(), -s * v.x() + c * v.z()};
+// The picture's right and top, and what points back at the eye, as columns.
+Eigen::Matrix3d sight_axes(const CameraPose& pose) {
+  const Vec3 back = (pose.eye - pose.target).normalized();
+  Vec3 right = pose.up.cross(back);
+  // Straight up or down the vertical is no help: then the third of the upright axes points down the picture.
+  if (right.norm() < 1e-6) right = back.cross(upright_axes(pose.up).col(2));
+  right.normalize();
+  Eigen::Matrix3d axes;
+  axes << right, back.cross(right), back;
+  return axes;
 }
 
 }  // namespace
 
-CameraPose camera_pose(const Camera& camera, const Model& model, const State& start, const State& now) {
-  const Vec3 shift = displacement(camera.follow, model, start, now);
-  const Vec3 arm = turned_about_vertical(camera.eye - camera.target, camera.orbit * now.time);
-  return {camera.target + arm + shift, camera.target + shift, camera.field_of_view};
+Vec3 up_direction(const Camera& camera, const Model& model) {
+  return camera.up ? Vec3(camera.up->stableNormalized()) : up_direction(model);
 }
 
-glm::mat4 view_matrix(const CameraPose& pose) {
-  const Vec3 sight = pose.target - pose.eye;
-  // Straight up or down the vertical is no help: then −z is the picture's top.
-  const bool vertical = std::hypot(sight.x(), sight.z()) < 1e-6 * sight.norm();
-  const glm::vec3 up = vertical ? glm::vec3(0, 0, -1) : glm::vec3(0, 1, 0);
-  return glm::lookAt(to_glm(pose.eye), to_glm(pose.target), up);
+Eigen::Matrix3d upright_axes(const Vec3& up) {
+  // Rodrigues' rotation about y × up, written out.
+  const double x = up.x(), y = up.y(), z = up.z();
+  if (y < -1.0 + 1e-12) return Vec3(1.0, -1.0, -1.0).asDiagonal();
+  Eigen::Matrix3d axes;
+  axes << 1.0 - x * x / (1.0 + y), x, -x * z / (1.0 + y),  //
+      -x, y, -z,                                           //
+      -x * z / (1.0 + y), z, 1.0 - z * z / (1.0 + y);
+  return axes;
+}
+
+CameraPose camera_pose(const Camera& camera, const Model& model, const State& start, const State& now) {
+  const Vec3 shift = displacement(camera.follow, model, start, now);
+  const Vec3 up = up_direction(camera, model);
+  const Eigen::AngleAxisd turn(camera.orbit * now.time * std::numbers::pi / 180.0, up);
+  const Vec3 arm = turn * Vec3(camera.eye - camera.target);
+  return {camera.target + arm + shift, camera.target + shift, camera.field_of_view, up};
+}
+
+glm::mat4 view_matrix(const CameraPose& pose, const PictureSpace& space) {
+  const Eigen::Matrix3d axes = sight_axes(pose);
+  glm::mat4 matrix(1.0F);
+  for (int row = 0; row < 3; ++row) {
+    const glm::vec3 axis = to_glm(space.direction(axes.col(row)));
+    for (int column = 0; column < 3; ++column) matrix[column][row] = axis[column];
+  }
+  return matrix;
 }
 
 glm::mat4 flipped_projection(const CameraPose& pose, Size size, float near, float far) {
@@ -51,12 +77,11 @@ glm::mat4 flipped_projection(const CameraPose& pose, Size size, float near, floa
 }
 
 Vec3 picture_position(const CameraPose& pose, int width, int height, const Vec3& point) {
-  const glm::vec4 seen = view_matrix(pose) * glm::vec4(to_glm(point), 1.0F);
-  const double depth = -static_cast<double>(seen.z);
+  const Vec3 seen = sight_axes(pose).transpose() * (point - pose.eye);
+  const double depth = -seen.z();
   // Pixels for one metre at one metre's distance.
   const double scale = 0.5 * height / std::tan(0.5 * pose.field_of_view * std::numbers::pi / 180.0);
-  return {0.5 * width + scale * static_cast<double>(seen.x) / depth,
-          0.5 * height - scale * static_cast<double>(seen.y) / depth, depth};
+  return {0.5 * width + scale * seen.x() / depth, 0.5 * height - scale * seen.y() / depth, depth};
 }
 
 }  // namespace taut

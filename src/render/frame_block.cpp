@@ -44,24 +44,23 @@ Bounds bounds_of(const State& state, double margin) {
   return {{x[0], y[0], z[0]}, {x[1], y[1], z[1]}};
 }
 
-FrameBlock camera_block(const CameraPose& pose, Size size, int samples, const Bounds& bounds,
-                        const Look& look) {
-  const glm::vec3 eye = to_glm(pose.eye);
-  const glm::vec3 sight = to_glm(pose.target) - eye;
+FrameBlock camera_block(const CameraPose& pose, const PictureSpace& space, Size size, int samples,
+                        const Bounds& bounds, const Look& look) {
+  const glm::vec3 sight = to_glm(space.place(pose.target));
   const float reach = std::max(glm::length(sight), 1e-6F);
   const glm::vec3 forward = sight / reach;
   const float fog_start = 1.1F * reach, fog_end = 3.6F * reach;
   float far = 1.6F * fog_end;
   for (const glm::vec3& corner : corners(bounds)) {
-    far = std::max(far, 1.1F * glm::dot(corner - eye, forward));
+    far = std::max(far, 1.1F * glm::dot(corner, forward));
   }
   const float near = 0.01F * reach;
   const float half_angle = 0.5F * glm::radians(static_cast<float>(pose.field_of_view));
   const Palette colours = palette(look.theme);
 
   FrameBlock block;
-  block.view_projection = flipped_projection(pose, size, near, far) * view_matrix(pose);
-  block.eye = glm::vec4(eye, 1.0F);
+  block.view_projection = flipped_projection(pose, size, near, far) * view_matrix(pose, space);
+  block.eye = glm::vec4(0.0F, 0.0F, 0.0F, 1.0F);
   block.forward = glm::vec4(forward, 0.0F);
   block.to_light = glm::vec4(direction_to_light(), 0.0F);
   block.light = glm::vec4(colours.light, 1.0F);
@@ -70,13 +69,13 @@ FrameBlock camera_block(const CameraPose& pose, Size size, int samples, const Bo
   block.horizon = glm::vec4(colours.horizon, 1.0F);
   block.sky = glm::vec4(colours.sky, 1.0F);
   block.ground = glm::vec4(colours.ground, colours.grid_strength);
-  block.fog = {fog_start, fog_end, round_spacing(reach / 16.0F), static_cast<float>(look.ground_height)};
+  block.fog = {fog_start, fog_end, round_spacing(reach / 16.0F), 0.0F};
   block.view = {2.0F * std::tan(half_angle) / static_cast<float>(size.height), static_cast<float>(samples),
                 0.0F, 0.0F};
   return block;
 }
 
-FrameBlock light_block(const Bounds& bounds, int map_size) {
+FrameBlock light_block(const Bounds& bounds, int map_size, const Vec3& place) {
   const glm::vec3 to_light = direction_to_light();
   const glm::mat4 turn = glm::lookAt(glm::vec3(0.0F), -to_light, glm::vec3(0, 1, 0));
   glm::vec3 low(1e30F), high(-1e30F);
@@ -88,7 +87,9 @@ FrameBlock light_block(const Bounds& bounds, int map_size) {
   // Square, of few sizes, and moved by whole texels only, so that edges of shadows stay still.
   const float map_width = 1.02F * rung_above(std::max({high.x - low.x, high.y - low.y, 1e-3F}));
   const float texel = map_width / static_cast<float>(map_size);
-  const glm::vec2 middle = glm::floor(0.5F * glm::vec2(low + high) / texel) * texel;
+  const glm::dvec3 fixed = glm::dmat4(turn) * glm::dvec4(place.x(), place.y(), place.z(), 1.0);
+  const glm::dvec2 steps = glm::floor((0.5 * glm::dvec2(low + high) - glm::dvec2(fixed)) / double(texel));
+  const glm::vec2 middle(glm::dvec2(fixed) + steps * double(texel));
   const float half = 0.5F * map_width;
   const float slack = 0.01F * (high.z - low.z) + 4.0F * texel;
   const glm::mat4 projection = glm::ortho(middle.x - half, middle.x + half, middle.y - half, middle.y + half,

@@ -26,6 +26,10 @@ void set_colour(const Program& program, const char* uniform, const Colour& colou
               static_cast<float>(colour[2]));
 }
 
+void set_vector(const Program& program, const char* uniform, const glm::vec3& vector) {
+  program.set(uniform, vector.x, vector.y, vector.z);
+}
+
 }  // namespace
 
 InstancePainter::InstancePainter(const Gl& gl, const ShaderLibrary& library, const PainterShaders& shaders,
@@ -90,16 +94,21 @@ BackdropPainter::BackdropPainter(const Gl& gl, const ShaderLibrary& library)
       sky_(gl, library, "sky.vert", "sky.frag"),
       no_attributes_(make_vertex_array(gl)) {}
 
-void BackdropPainter::draw_ground() const {
+void BackdropPainter::draw_ground(const GroundPatch& patch) const {
   ground_.use();
+  set_vector(ground_, "normal", patch.normal);
+  set_vector(ground_, "along", patch.along);
+  set_vector(ground_, "across", patch.across);
+  set_vector(ground_, "foot_and_height", glm::vec3(patch.foot, patch.height));
+  ground_.set("solid", patch.solid ? 1 : 0);
   gl_->bind_vertex_array(no_attributes_.name());
   gl_->draw_arrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
 void BackdropPainter::draw_sky(const glm::vec3& right, const glm::vec3& down) const {
   sky_.use();
-  sky_.set("right", right.x, right.y, right.z);
-  sky_.set("down", down.x, down.y, down.z);
+  set_vector(sky_, "right", right);
+  set_vector(sky_, "down", down);
   gl_->bind_vertex_array(no_attributes_.name());
   gl_->draw_arrays(GL_TRIANGLES, 0, 3);
 }

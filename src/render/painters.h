@@ -4,11 +4,12 @@
 #include <string_view>
 
 #include "gl_objects.h"
+#include "ground_patch.h"
 #include "lattice.h"
-#include "view/view.h"
 #include "program.h"
 #include "solid_mesh.h"
 #include "surface_mesh.h"
+#include "view/view.h"
 
 namespace taut {
 
@@ -96,7 +97,7 @@ class SolidPainter : public MeshPainter {
 class BackdropPainter {
  public:
   BackdropPainter(const Gl& gl, const ShaderLibrary& library);
-  void draw_ground() const;
+  void draw_ground(const GroundPatch& patch) const;
   /// `right` and `down` as in shaders/sky.frag.
   void draw_sky(const glm::vec3& right, const glm::vec3& down) const;
 

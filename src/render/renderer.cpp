@@ -5,12 +5,19 @@
 #include "base/failure.h"
 #include "frame_block.h"
 #include "gl.h"
+#include "ground_patch.h"
 #include "legend.h"
 #include "painters.h"
 #include "targets.h"
 #include "view_matrices.h"
 
 namespace taut {
+namespace {
+
+// Every fourth grid line is a strong one; see shaders/ground.frag.
+constexpr float lines_a_period = 4.0F;
+
+}  // namespace
 
 /// The OpenGL side of a Renderer. Every call, the destructor's too, needs the context to be current.
 class Renderer::Drawing {
@@ -27,17 +34,19 @@ class Renderer::Drawing {
            draws_boxes();
   }
   bool draws_surface() const { return look_.surface && !model_.triangles.empty(); }
-  void upload(const State& state, const Quantity& quantity, const ColourScale& scale);
-  SolidMesh solids_of(const State& state, const Quantity& quantity, const ColourScale& scale) const;
+  void upload(const State& seen, const Quantity& quantity, const ColourScale& scale);
+  SolidMesh solids_of(const State& seen, const PictureSpace& space, const Quantity& quantity,
+                      const ColourScale& scale) const;
   void load_block(const FrameBlock& block) const;
-  FrameBlock draw_shadow_map(const Bounds& bounds) const;
-  void draw_picture(const FrameBlock& block, const CameraPose& pose) const;
+  FrameBlock draw_shadow_map(const Bounds& bounds, const PictureSpace& space) const;
+  void draw_picture(const FrameBlock& block, const CameraPose& pose, const PictureSpace& space) const;
   void draw_lattice() const;
-  void draw_backdrop(const FrameBlock& block, const CameraPose& pose) const;
+  void draw_backdrop(const FrameBlock& block, const CameraPose& pose, const PictureSpace& space) const;
 
   Gl gl_;
   const Model& model_;
   std::optional<State> start_;  // only where orientations are drawn
+  Vec3 fixed_place_;            // m, what texels of the shadow map keep to: one that no camera moves
   Look look_;
   RenderSettings settings_;
   Radii radii_;
@@ -58,6 +67,7 @@ Renderer::Drawing::Drawing(const GlContext& context, const Model& model, const S
                            const RenderSettings& settings, const ShaderLibrary& library)
     : gl_(context),
       model_(model),
+      fixed_place_(start.position.size() > 0 ? start.position.at(0) : Vec3(Vec3::Zero())),
       look_(look),
       settings_(settings),
       radii_(radii(model, look)),
@@ -78,39 +88,43 @@ Renderer::Drawing::Drawing(const GlContext& context, const Model& model, const S
 Image Renderer::Drawing::draw(const State& state, const CameraPose& pose) {
   const Quantity values = quantity(model_, state, look_.colour_by);
   const ColourScale scale = colour_scale(look_, model_, state, values);
-  upload(state, values, scale);
+  const PictureSpace space(pose);
+  const State seen = space.seen(state);
+  upload(seen, values, scale);
 
-  Bounds bounds = bounds_of(state, radii_.mass);
+  Bounds bounds = bounds_of(seen, radii_.mass);
   if (solids_) {
-    const SolidMesh mesh = solids_of(state, values, scale);
+    const SolidMesh mesh = solids_of(seen, space, values, scale);
     solids_->upload(mesh);
     bounds = with_mesh(bounds, mesh);
   }
-  FrameBlock block = camera_block(pose, settings_.size, settings_.samples, bounds, look_);
+  FrameBlock block = camera_block(pose, space, settings_.size, settings_.samples, bounds, look_);
   gl_.enable(GL_DEPTH_TEST);
   gl_.depth_function(GL_LEQUAL);
   // The picture is drawn upside down, which turns triangles round.
   gl_.front_face(GL_CW);
-  if (casts_shadows()) add_shadow(block, draw_shadow_map(bounds));
-  draw_picture(block, pose);
+  if (casts_shadows()) add_shadow(block, draw_shadow_map(bounds, space));
+  draw_picture(block, pose, space);
 
   Image image = target_.read(settings_.transparent ? 4 : 3);
   if (font_) draw_legend(image, *font_, look_.colour_by, scale);
   return image;
 }
 
-void Renderer::Drawing::upload(const State& state, const Quantity& values, const ColourScale& scale) {
-  spheres_.upload(std::span<const SphereRecord>(sphere_records(model_, state, look_, radii_, values, scale)));
-  links_.upload(std::span<const LinkRecord>(link_records(model_, state, look_, radii_, values, scale)));
-  if (draws_surface()) surface_.upload(surface_mesh(model_, state, pattern_, values, scale));
+void Renderer::Drawing::upload(const State& seen, const Quantity& values, const ColourScale& scale) {
+  spheres_.upload(std::span<const SphereRecord>(sphere_records(model_, seen, look_, radii_, values, scale)));
+  links_.upload(std::span<const LinkRecord>(link_records(model_, seen, look_, radii_, values, scale)));
+  if (draws_surface()) surface_.upload(surface_mesh(model_, seen, pattern_, values, scale));
 }
 
-SolidMesh Renderer::Drawing::solids_of(const State& state, const Quantity& values,
+SolidMesh Renderer::Drawing::solids_of(const State& seen, const PictureSpace& space, const Quantity& values,
                                        const ColourScale& scale) const {
   SolidMesh mesh;
-  if (look_.colliders) add_colliders(mesh, model_, look_);
-  if (look_.bones) add_bones(mesh, model_, state, look_, values, scale);
-  if (start_) add_mass_boxes(mesh, model_, *start_, state, look_, radii_.mass, values, scale);
+  if (look_.colliders)
+    for (const Collider& collider : model_.colliders)
+      add_shape(mesh, space.seen(collider.shape), look_.collider_colour);
+  if (look_.bones) add_bones(mesh, model_, seen, look_, values, scale);
+  if (start_) add_mass_boxes(mesh, model_, space.seen(*start_), seen, look_, radii_.mass, values, scale);
   return mesh;
 }
 
@@ -119,8 +133,8 @@ void Renderer::Drawing::load_block(const FrameBlock& block) const {
   gl_.buffer_data(GL_UNIFORM_BUFFER, sizeof block, &block, GL_STREAM_DRAW);
 }
 
-FrameBlock Renderer::Drawing::draw_shadow_map(const Bounds& bounds) const {
-  const FrameBlock block = light_block(bounds, shadow_map_.size());
+FrameBlock Renderer::Drawing::draw_shadow_map(const Bounds& bounds, const PictureSpace& space) const {
+  const FrameBlock block = light_block(bounds, shadow_map_.size(), space.place(fixed_place_));
   load_block(block);
   no_shadow_map_.bind_for_reading();
   shadow_map_.bind();
@@ -139,7 +153,8 @@ FrameBlock Renderer::Drawing::draw_shadow_map(const Bounds& bounds) const {
   return block;
 }
 
-void Renderer::Drawing::draw_picture(const FrameBlock& block, const CameraPose& pose) const {
+void Renderer::Drawing::draw_picture(const FrameBlock& block, const CameraPose& pose,
+                                     const PictureSpace& space) const {
   load_block(block);
   (casts_shadows() ? shadow_map_ : no_shadow_map_).bind_for_reading();
   target_.bind();
@@ -148,7 +163,7 @@ void Renderer::Drawing::draw_picture(const FrameBlock& block, const CameraPose& 
   if (draws_surface()) surface_.draw();
   if (solids_) solids_->draw();
   draw_lattice();
-  if (!settings_.transparent) draw_backdrop(block, pose);
+  if (!settings_.transparent) draw_backdrop(block, pose, space);
 }
 
 void Renderer::Drawing::draw_lattice() const {
@@ -163,10 +178,15 @@ void Renderer::Drawing::draw_lattice() const {
   gl_.disable(GL_SAMPLE_ALPHA_TO_ONE);
 }
 
-void Renderer::Drawing::draw_backdrop(const FrameBlock& block, const CameraPose& pose) const {
-  // From below there is no ground in the way of the scene.
-  if (look_.ground && pose.eye.y() > look_.ground_height) backdrop_.draw_ground();
-  const glm::mat3 axes = glm::transpose(glm::mat3(view_matrix(pose)));
+void Renderer::Drawing::draw_backdrop(const FrameBlock& block, const CameraPose& pose,
+                                      const PictureSpace& space) const {
+  const double period = static_cast<double>(block.fog.z * lines_a_period);
+  for (const Ground& ground : drawn_grounds(model_, look_, pose.up)) {
+    const GroundPatch patch = ground_patch(ground, space, period);
+    // From below there is no ground in the way of the scene.
+    if (patch.height > 0.0F) backdrop_.draw_ground(patch);
+  }
+  const glm::mat3 axes = glm::transpose(glm::mat3(view_matrix(pose, space)));
   const float half_height = 0.5F * block.view.x * static_cast<float>(settings_.size.height);
   const float half_width = 0.5F * block.view.x * static_cast<float>(settings_.size.width);
   backdrop_.draw_sky(axes[0] * half_width, -axes[1] * half_height);

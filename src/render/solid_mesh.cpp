@@ -26,14 +26,14 @@ double mean_of(const std::vector<double>& values, const std::array<Index, 2>& ma
   return 0.5 * (values[masses[0]] + values[masses[1]]);
 }
 
-void add_shape(SolidMesh& /*mesh*/, const HalfSpace& /*plane*/, const Colour& /*colour*/) {}
-void add_shape(SolidMesh& mesh, const Sphere& sphere, const Colour& colour) {
+void add(SolidMesh& /*mesh*/, const HalfSpace& /*plane*/, const Colour& /*colour*/) {}
+void add(SolidMesh& mesh, const Sphere& sphere, const Colour& colour) {
   add_capsule(mesh, sphere.centre, sphere.centre, sphere.radius, colour);
 }
-void add_shape(SolidMesh& mesh, const Capsule& capsule, const Colour& colour) {
+void add(SolidMesh& mesh, const Capsule& capsule, const Colour& colour) {
   add_capsule(mesh, capsule.a, capsule.b, capsule.radius, colour);
 }
-void add_shape(SolidMesh& mesh, const Box& box, const Colour& colour) {
+void add(SolidMesh& mesh, const Box& box, const Colour& colour) {
   add_box(mesh, box, colour);
 }
 
@@ -114,9 +114,8 @@ void add_bones(SolidMesh& mesh, const Model& model, const State& state, const Lo
   }
 }
 
-void add_colliders(SolidMesh& mesh, const Model& model, const Look& look) {
-  for (const Collider& collider : model.colliders)
-    std::visit([&](const auto& shape) { add_shape(mesh, shape, look.collider_colour); }, collider.shape);
+void add_shape(SolidMesh& mesh, const Shape& shape, const Colour& colour) {
+  std::visit([&](const auto& kind) { add(mesh, kind, colour); }, shape);
 }
 
 void add_mass_boxes(SolidMesh& mesh, const Model& model, const State& start, const State& state,

@@ -33,8 +33,8 @@ void add_box(SolidMesh& mesh, const Box& box, const Colour& colour);
 void add_bones(SolidMesh& mesh, const Model& model, const State& state, const Look& look,
                const Quantity& quantity, const ColourScale& scale);
 
-/// What there is to hit, but for planes.
-void add_colliders(SolidMesh& mesh, const Model& model, const Look& look);
+/// Adds something to hit; nothing for a plane.
+void add_shape(SolidMesh& mesh, const Shape& shape, const Colour& colour);
 
 /// A box at each mass that is in no ragdoll, turned as its links have turned since the start.
 void add_mass_boxes(SolidMesh& mesh, const Model& model, const State& start, const State& state,

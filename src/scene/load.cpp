@@ -89,6 +89,8 @@ void check_camera(const Node& document, const Camera& camera, Reader& reader) {
   if (camera.eye == camera.target)
     reader.plain(origin_of(document, {"camera", 0, "eye", {}, {}}),
                  "\"eye\" and \"target\" of [camera] are the same point");
+  if (camera.up && camera.up->isZero(0.0))
+    reader.plain(origin_of(document, {"camera", 0, "up", {}, {}}), "\"up\" of [camera] must not be zero");
 }
 
 void check_follow(const Node& document, const Scene& scene, Reader& reader) {

@@ -3,7 +3,8 @@
 namespace taut {
 namespace {
 
-constexpr double far = 1e6;  // m
+constexpr double far = 1e6;      // m
+constexpr double farther = 2e6;  // m; so that what is far away can be seen from a little farther
 
 template <class T>
 Key<T> colour_key(std::string_view name, Colour T::*member, std::string_view help) {
@@ -12,12 +13,18 @@ Key<T> colour_key(std::string_view name, Colour T::*member, std::string_view hel
 
 Keys<Camera> camera_keys() {
   return {
-      key<Camera>("eye", &Camera::eye,
-                  {.unit = "m", .range = between(-far, far), .help = "where the picture is taken from"}),
+      key<Camera>(
+          "eye", &Camera::eye,
+          {.unit = "m", .range = between(-farther, farther), .help = "where the picture is taken from"}),
       key<Camera>("target", &Camera::target,
-                  {.unit = "m", .range = between(-far, far), .help = "what is in the middle of it"}),
+                  {.unit = "m", .range = between(-farther, farther), .help = "what is in the middle of it"}),
       key<Camera>("field_of_view", &Camera::field_of_view,
                   {.unit = "degrees", .range = between(1, 150), .help = "from the lower to the upper edge"}),
+      key<Camera>("up", &Camera::up,
+                  {.range = between(-far, far),
+                   .fallback = "against gravity, or along y where there is none",
+                   .help = "which way is up, for the camera, its orbit and the drawn ground, of any length "
+                           "but 0"}),
       key<Camera>("orbit", &Camera::orbit,
                   {.unit = "degrees/s",
                    .range = between(-3600, 3600),
@@ -34,7 +41,9 @@ Keys<Look> look_keys() {
       key<Look>("masses", &Look::masses, {.help = "whether masses are drawn"}),
       key<Look>("links", &Look::links, {.help = "whether links are drawn"}),
       key<Look>("surface", &Look::surface, {.help = "whether sheets are drawn as cloth"}),
-      key<Look>("ground", &Look::ground, {.help = "whether a ground with grid lines is drawn"}),
+      key<Look>(
+          "ground", &Look::ground,
+          {.help = "whether the planes are drawn, or in a scene without any grid lines to see heights by"}),
       key<Look>("shadows", &Look::shadows, {.help = "whether things cast shadows"}),
       key<Look>("bones", &Look::bones,
                 {.help = "whether ragdolls are drawn as capsules, in place of their masses and links"}),
@@ -50,7 +59,10 @@ Keys<Look> look_keys() {
                  .help = "strain, tension or speed at the top of the colour scale; 0: the largest in the "
                          "frame"}),
       key<Look>("ground_height", &Look::ground_height,
-                {.unit = "m", .range = between(-far, far), .help = "of the drawn ground, along y"}),
+                {.unit = "m",
+                 .range = between(-far, far),
+                 .fallback = "that of the plane, or zero without any",
+                 .help = "where, upwards, the level ground is drawn"}),
       key<Look>("mass_radius", &Look::mass_radius,
                 {.unit = "m", .range = between(0, far), .help = "0: 0.29 of the median link length"}),
       key<Look>("link_radius", &Look::link_radius,

@@ -32,8 +32,8 @@ inline constexpr std::size_t paint_refused = paint_diverged + 1;
 /// What shades stand for: the position error over the total link length, the largest strain in maps over
 /// passes.
 enum class ShadeOf { error, strain };
-inline ShadeOf shade_of(const MapPlan& plan) {
-  return plan.axes->rows == MapRows::step ? ShadeOf::error : ShadeOf::strain;
+inline ShadeOf shade_of(const MapGrid& grid) {
+  return grid.axes->rows == MapRows::step ? ShadeOf::error : ShadeOf::strain;
 }
 
 /// The cells of a map, neighbours in a column joined. Where a run has no reference its largest strain stands

@@ -26,8 +26,9 @@ constexpr double margin = 1.18;  // of the field of view to what must be seen
 // A camera that looks along the scene's own line of sight and sees all states whole.
 Camera camera_for(const Scene& scene, const SagStudy& study, double aspect) {
   const Vec3 back = (scene.camera.eye - scene.camera.target).normalized();
-  const Vec3 right = Vec3::UnitY().cross(back).norm() > 1e-6 ? Vec3(Vec3::UnitY().cross(back).normalized())
-                                                             : Vec3(Vec3::UnitX());
+  const Vec3 vertical = up_direction(scene.camera, scene.model);
+  const Vec3 level = vertical.cross(back);
+  const Vec3 right = level.norm() > 1e-6 ? Vec3(level.normalized()) : Vec3(upright_axes(vertical).col(0));
   const Vec3 up = back.cross(right);
   Vec3 least = Vec3::Constant(infinity), most = Vec3::Constant(-infinity);  // along right, up, back
   const auto include = [&](const State& state) {
@@ -46,6 +47,7 @@ Camera camera_for(const Scene& scene, const SagStudy& study, double aspect) {
   const double distance = half.z() + margin * std::max(half.y(), half.x() / aspect) / slope;
   Camera camera;
   camera.field_of_view = scene.camera.field_of_view;
+  camera.up = scene.camera.up;
   camera.target = right * middle.x() + up * middle.y() + back * middle.z();
   camera.eye = camera.target + back * distance;
   return camera;

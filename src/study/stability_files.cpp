@@ -7,9 +7,9 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "host/build_info.h"
 #include "map_column_json.h"
 #include "output/atomic_file.h"
-#include "host/build_info.h"
 #include "stability_plot.h"
 
 namespace taut {
@@ -27,7 +27,7 @@ std::string cells_csv(const StabilityMaps& maps) {
       for (std::size_t row = 0; row < column.cells.size(); ++row) {
         const RunOutcome& cell = column.cells[row];
         fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{}\n", map.method, column.value,
-                       maps.plan.rows[row], fate_name(cell.fate), cell.steps, csv_number(cell.error),
+                       maps.grid.rows[row], fate_name(cell.fate), cell.steps, csv_number(cell.error),
                        csv_number(cell.strain), csv_number(cell.energy_drift));
       }
   return text;
@@ -63,8 +63,8 @@ std::string file_name(const MethodMap& map) {
 }
 
 std::string title_of(const StabilityMaps& maps, const Scene& scene) {
-  std::string title = fmt::format("{}, {} s, guard off", scene.title, maps.plan.duration);
-  if (maps.plan.axes->rows == MapRows::step && lacks_references(maps))
+  std::string title = fmt::format("{}, {} s, guard off", scene.title, maps.grid.duration);
+  if (maps.grid.axes->rows == MapRows::step && lacks_references(maps))
     title += ", strain where no reference is certain";
   if (maps.count.completed < maps.count.planned)
     title += fmt::format(", {} of {} columns", maps.count.completed, maps.count.planned);
@@ -82,8 +82,8 @@ std::string stability_json(const StabilityMaps& maps, const Scene& scene) {
     methods.push_back({{"name", map.method}, {"columns", std::move(columns)}});
   }
   const Json json{
-      {"scene", scene.name},           {"axes", maps.plan.axes->name}, {"duration", maps.plan.duration},
-      {"columns", maps.plan.columns},  {"rows", maps.plan.rows},       {"completed", maps.count.completed},
+      {"scene", scene.name},           {"axes", maps.grid.axes->name}, {"duration", maps.grid.duration},
+      {"columns", maps.grid.columns},  {"rows", maps.grid.rows},       {"completed", maps.count.completed},
       {"planned", maps.count.planned}, {"build", build_info()},        {"methods", std::move(methods)}};
   return json.dump(1) + "\n";
 }

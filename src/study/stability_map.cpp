@@ -13,9 +13,9 @@
 
 #include "base/hash.h"
 #include "base/split.h"
+#include "host/build_info.h"
 #include "map_column_json.h"
 #include "methods/registry.h"
-#include "host/build_info.h"
 
 namespace taut {
 namespace {
@@ -25,25 +25,25 @@ constexpr double fewest_passes = 1.0, most_passes = 3000.0;
 
 // One column of one method's map.
 struct Case {
-  std::size_t column;  // in the plan
+  std::size_t column;  // in the grid
   const MapMethod* method;
   std::string key;
 };
 
 std::vector<Case> all_cases(const StabilityRequest& request) {
   std::vector<Case> cases;
-  for (std::size_t column = 0; column < request.plan.columns.size(); ++column)
+  for (std::size_t column = 0; column < request.grid.columns.size(); ++column)
     for (const MapMethod& method : request.methods)
-      cases.push_back({column, &method, fmt::format("{} {}", method.label, request.plan.columns[column])});
+      cases.push_back({column, &method, fmt::format("{} {}", method.label, request.grid.columns[column])});
   return cases;
 }
 
 // A hash of all that decides what columns look like; which methods are asked for does not.
-std::string inputs_of(const Scene& scene, const MapPlan& plan) {
+std::string inputs_of(const Scene& scene, const MapGrid& grid) {
   Hash hash;
-  hash.add(resolved_toml(scene)).add(build_info()).add(plan.axes->name);
-  hash.add(std::span<const double>(plan.columns)).add(std::span<const double>(plan.rows));
-  return hash.add(std::span(&plan.duration, 1)).hex();
+  hash.add(resolved_toml(scene)).add(build_info()).add(grid.axes->name);
+  hash.add(std::span<const double>(grid.columns)).add(std::span<const double>(grid.rows));
+  return hash.add(std::span(&grid.duration, 1)).hex();
 }
 
 // What is given, then the scene's own parameters where it is made for the method; defaults elsewhere.
@@ -134,17 +134,17 @@ class Sweep {
 
   void run_column(const std::vector<Case>& cases) {
     std::map<bool, std::pair<Built, ColumnTruth>> by_rigidity;
-    const double value = request_.plan.columns[cases.front().column];
+    const double value = request_.grid.columns[cases.front().column];
     for (const Case& one : cases) {
       const Method& method = *find_method(one.method->settings.method);
       auto known = by_rigidity.find(method.can.rigid);
       if (known == by_rigidity.end()) {
-        Built variant = map_variant(scene_.description, request_.plan.axes->columns, value, method);
-        ColumnTruth truth = column_truth(variant, request_.plan.duration);
+        Built variant = map_variant(scene_.description, request_.grid.axes->columns, value, method);
+        ColumnTruth truth = column_truth(variant, request_.grid.duration);
         known = by_rigidity.emplace(method.can.rigid, std::pair(std::move(variant), std::move(truth))).first;
       }
       const auto& [variant, truth] = known->second;
-      const auto column = map_column(request_.plan, value, variant, truth,
+      const auto column = map_column(request_.grid, value, variant, truth,
                                      given_settings(scene_, *one.method), [this] { return stopping(); });
       if (!column) return;
       const std::lock_guard lock(mutex_);
@@ -168,7 +168,7 @@ class Sweep {
 
 StabilityMaps gather(const StabilityRequest& request, const CaseStore& store) {
   StabilityMaps maps;
-  maps.plan = request.plan;
+  maps.grid = request.grid;
   for (const MapMethod& method : request.methods) maps.maps.push_back({method.label, {}});
   std::vector<std::string> planned;
   for (const Case& one : all_cases(request)) {
@@ -204,19 +204,19 @@ MapMethod parse_map_method(const std::string& text) {
   return method;
 }
 
-MapPlan make_map_plan(const Scene& scene, const MapAxes& axes, int columns, int rows, double longest) {
-  MapPlan plan;
-  plan.axes = &axes;
-  plan.columns = spread_values(axes.least, axes.most, columns, axes.whole);
-  plan.rows = axes.rows == MapRows::step ? spread_values(shortest_step, longest_step, rows, false)
+MapGrid make_map_grid(const Scene& scene, const MapAxes& axes, int columns, int rows, double longest) {
+  MapGrid grid;
+  grid.axes = &axes;
+  grid.columns = spread_values(axes.least, axes.most, columns, axes.whole);
+  grid.rows = axes.rows == MapRows::step ? spread_values(shortest_step, longest_step, rows, false)
                                          : spread_values(fewest_passes, most_passes, rows, true);
-  plan.duration = std::min(scene.duration, longest);
-  return plan;
+  grid.duration = std::min(scene.duration, longest);
+  return grid;
 }
 
 void check_map_request(const Scene& scene, const StabilityRequest& request) {
   for (const MapMethod& method : request.methods)
-    map_variant(scene.description, request.plan.axes->columns, request.plan.columns.front(),
+    map_variant(scene.description, request.grid.axes->columns, request.grid.columns.front(),
                 *find_method(method.settings.method));
 }
 
@@ -224,7 +224,7 @@ StabilityMaps make_stability_maps(const Scene& scene, const StabilityRequest& re
                                   const std::filesystem::path& folder, Progress& progress,
                                   const StopTest& stop) {
   check_map_request(scene, request);
-  const std::string inputs = inputs_of(scene, request.plan);
+  const std::string inputs = inputs_of(scene, request.grid);
   CaseStore store(file_of(folder, request.shard), inputs, request.overwrite);
   if (request.shard.all()) take_over_shards(store, folder, inputs, request.overwrite);
   const bool whole = !request.run || Sweep(scene, request, store, progress, stop).run();

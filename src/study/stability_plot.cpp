@@ -39,12 +39,12 @@ std::string boxes(const StabilityMaps& maps, const MethodMap& map, const std::ve
   for (const PaintedCells& part : cells) {
     if (part.paint != paint) continue;
     const double x = map.columns[part.column].value;
-    const auto at = std::find(maps.plan.columns.begin(), maps.plan.columns.end(), x);
+    const auto at = std::find(maps.grid.columns.begin(), maps.grid.columns.end(), x);
     const auto [left, right] =
-        cell_bounds(maps.plan.columns, static_cast<std::size_t>(at - maps.plan.columns.begin()));
-    const double bottom = cell_bounds(maps.plan.rows, part.first_row).first;
-    const double top = cell_bounds(maps.plan.rows, part.last_row).second;
-    fmt::format_to(std::back_inserter(text), "{} {} {} {} {} {}\n", x, maps.plan.rows[part.first_row], left,
+        cell_bounds(maps.grid.columns, static_cast<std::size_t>(at - maps.grid.columns.begin()));
+    const double bottom = cell_bounds(maps.grid.rows, part.first_row).first;
+    const double top = cell_bounds(maps.grid.rows, part.last_row).second;
+    fmt::format_to(std::back_inserter(text), "{} {} {} {} {} {}\n", x, maps.grid.rows[part.first_row], left,
                    right, bottom, top);
   }
   return text;
@@ -64,7 +64,7 @@ std::string edge_points(const MethodMap& map) {
 // The predicted edge, the part below the map drawn along its foot.
 std::string predicted_points(const StabilityMaps& maps, const MethodMap& map) {
   std::string text;
-  const double foot = cell_bounds(maps.plan.rows, 0).first;
+  const double foot = cell_bounds(maps.grid.rows, 0).first;
   for (const MapColumn& column : map.columns)
     if (column.predicted)
       fmt::format_to(std::back_inserter(text), "{} {}\n", column.value,
@@ -72,13 +72,13 @@ std::string predicted_points(const StabilityMaps& maps, const MethodMap& map) {
   return text;
 }
 
-std::string ranges(const MapPlan& plan) {
+std::string ranges(const MapGrid& grid) {
   const auto range = [](const std::vector<double>& values) {
     return fmt::format("[{}:{}]", cell_bounds(values, 0).first,
                        cell_bounds(values, values.size() - 1).second);
   };
-  return fmt::format("set logscale xy\nset xrange {}\nset yrange {}\n", range(plan.columns),
-                     range(plan.rows));
+  return fmt::format("set logscale xy\nset xrange {}\nset yrange {}\n", range(grid.columns),
+                     range(grid.rows));
 }
 
 // What an empty panel says: the first part of the refusal.
@@ -118,14 +118,14 @@ std::string panel(const StabilityMaps& maps, const MethodMap& map, const Place& 
       "set lmargin at screen {}\nset rmargin at screen {}\nset bmargin at screen {}\nset tmargin at screen "
       "{}\n",
       place.left, place.right, place.bottom, place.top);
-  script += ranges(maps.plan);
+  script += ranges(maps.grid);
   script += fmt::format("set title {} offset 0,-0.6\nset xlabel {}\nset ylabel {} offset 0.8,0\n",
                         plot_text(labels.title), plot_text(labels.x), plot_text(labels.y));
-  const bool small = maps.plan.axes->whole;
+  const bool small = maps.grid.axes->whole;
   script += fmt::format("set format x '{}'\nset format y '{}'\n",
                         labels.x.empty() ? "" : (small ? "%g" : "10^{%L}"),
-                        labels.y.empty() ? "" : (maps.plan.axes->rows == MapRows::passes ? "%g" : "10^{%L}"));
-  const std::vector<PaintedCells> cells = painted_cells(map, shade_of(maps.plan));
+                        labels.y.empty() ? "" : (maps.grid.axes->rows == MapRows::passes ? "%g" : "10^{%L}"));
+  const std::vector<PaintedCells> cells = painted_cells(map, shade_of(maps.grid));
   std::string data, plots;
   const auto add = [&](const std::string& name, const std::string& points, std::string_view how) {
     if (points.empty()) return;
@@ -213,8 +213,8 @@ std::string legend(double height, ShadeOf what) {
   return legend.text();
 }
 
-std::string y_title(const MapPlan& plan) {
-  return plan.axes->rows == MapRows::step ? "step (s)" : "passes a step";
+std::string y_title(const MapGrid& grid) {
+  return grid.axes->rows == MapRows::step ? "step (s)" : "passes a step";
 }
 
 // What theory the line stands for, where there is any.
@@ -236,8 +236,8 @@ PlotScript map_plot(const StabilityMaps& maps, const MethodMap& map, const std::
   plot.commands = "set multiplot\n";
   plot.commands += panel(maps, map, {0.12, 0.97, 0.30, 0.92},
                          {fmt::format("{} – {}", with_formula(map), title),
-                          std::string(maps.plan.axes->title), y_title(maps.plan)});
-  plot.commands += legend(0.15, shade_of(maps.plan)) + "unset multiplot\n";
+                          std::string(maps.grid.axes->title), y_title(maps.grid)});
+  plot.commands += legend(0.15, shade_of(maps.grid)) + "unset multiplot\n";
   return plot;
 }
 
@@ -257,10 +257,10 @@ PlotScript overview_plot(const StabilityMaps& maps, const std::string& title) {
     const double top = 1.0 - (130.0 + 560.0 * static_cast<double>(row)) * pixel;
     const bool lowest = i + across >= maps.maps.size();
     plot.commands += panel(maps, maps.maps[i], {left, right, top - 440.0 * pixel, top},
-                           {with_formula(maps.maps[i]), lowest ? std::string(maps.plan.axes->title) : "",
-                            column == 0 ? y_title(maps.plan) : ""});
+                           {with_formula(maps.maps[i]), lowest ? std::string(maps.grid.axes->title) : "",
+                            column == 0 ? y_title(maps.grid) : ""});
   }
-  plot.commands += legend(130.0 * pixel, shade_of(maps.plan)) + "unset multiplot\n";
+  plot.commands += legend(130.0 * pixel, shade_of(maps.grid)) + "unset multiplot\n";
   return plot;
 }
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "program.h"
 #include "frames/panels.h"
+#include "program.h"
 
 namespace taut::testing {
 namespace {
@@ -77,6 +77,15 @@ b = "bob"
   EXPECT_FALSE(methods[1].contains("failure"));
   EXPECT_NEAR(methods[0]["measures"]["time"].get<double>(), 0.5, 1e-9);
   EXPECT_NEAR(methods[1]["measures"]["time"].get<double>(), 29.0 / 30.0, 1e-9);
+}
+
+// A spring too stiff for rattle's step: only making the method shows it.
+TEST_F(CompareTest, ARefusalSaysWhosePanelItIsAndNothingIsWritten) {
+  folder_.write("small.toml", small_scene() + "stiffness = 1e8\n");
+  const Ran ran = compare("xpbd,rattle");
+  EXPECT_EQ(ran.status, 2) << ran.err;
+  EXPECT_NE(ran.err.find("the panel of rattle, 240 steps/s: "), std::string::npos) << ran.err;
+  EXPECT_FALSE(std::filesystem::exists(frames_)) << "nothing was written";
 }
 
 TEST_F(CompareTest, SaysWhatItCannotDo) {

@@ -168,6 +168,27 @@ TEST_F(RenderTest, QuietSaysNothing) {
   EXPECT_EQ(ran.out + ran.err, "");
 }
 
+TEST_F(RenderTest, MassesBelowAGroundThatStopsNothingGetANote) {
+  const std::string note = "masses is below the drawn ground at y = 1.5, which stops nothing";
+  const Words high{"--set", "look.ground_height=1.5", "--size", "64x48", "--json"};
+  const auto say = [&](Words words) {
+    words.insert(words.end(), high.begin(), high.end());
+    const Ran ran = taut(words);
+    EXPECT_EQ(ran.status, 0) << ran.err;
+    EXPECT_NE(ran.err.find(note), std::string::npos) << ran.err;
+    EXPECT_NE(Json::parse(ran.out).value("note", "").find(note), std::string::npos) << ran.out;
+    words.push_back("--quiet");
+    words.push_back(words.front() == "render" ? "--overwrite" : "--json");
+    EXPECT_EQ(taut(words).err, "");
+  };
+  say({"render", scene_, "-o", frames_});
+  say({"still", scene_, "--at", "1s", "-o", folder_ / "still.png"});
+  say({"strip", scene_, "--count", "2", "-o", folder_ / "strip.png"});
+  const Ran ran = render({"--overwrite"});
+  EXPECT_EQ(ran.err.find("drawn ground"), std::string::npos) << ran.err;
+  EXPECT_FALSE(Json::parse(ran.out).contains("note")) << ran.out;
+}
+
 TEST_F(RenderTest, TheScenesFolderCanBeChosen) {
   const Ran ran = taut({"render", "small", "-o", frames_, "--size", "64x48", "--frames", "1"},
                        {{"TAUT_SCENES", folder_.path().string()}});

@@ -176,7 +176,8 @@ TEST(Surface, ShowsItsOtherColourFromBehind) {
 }
 
 TEST(Shadow, FallsWhereTheLightPutsIt) {
-  const Built scene = row_of_masses({{0, 1, 0}});
+  Built scene = row_of_masses({{0, 1, 0}});
+  scene.model.plane = Plane{};
   Look look = bare_look();
   look.masses = look.ground = look.shadows = true;
   look.mass_radius = 0.3;
@@ -194,6 +195,55 @@ TEST(Shadow, FallsWhereTheLightPutsIt) {
   // The light comes from (0.68, 1, 0.56): a metre up, the shadow is that far away on the ground.
   EXPECT_GT(darkening({-0.68, 0, -0.56}), 40);
   EXPECT_EQ(0, darkening({0.68, 0, 0.56}));
+}
+
+// A picture of nothing but ground, seen from above at a slant.
+Image picture_of_ground(const Built& scene, const CameraPose& pose) {
+  Look look = bare_look();
+  look.ground = true;
+  return draw_once(scene.model, scene.start, look, {.size = size, .samples = 4, .shadow_map_size = 0}, pose);
+}
+
+TEST(Ground, ASolidOneIsASurfaceAndADrawnOneAFewFaintLines) {
+  Built scene = row_of_masses({{0, 0, 0}});
+  const CameraPose pose{{0.0, 2.0, 5.0}, {0.0, 0.0, 0.0}, 38.0};
+  const Image drawn = picture_of_ground(scene, pose);
+  scene.model.plane = Plane{};
+  const Image solid = picture_of_ground(scene, pose);
+  // Of the lower half, all that is near: how much of it is clearly darker than the mist (brightness 237)?
+  int darker_drawn = 0, darker_solid = 0, darkest_drawn = 255;
+  constexpr int mist = 237, clearly = 12;
+  for (int y = size.height / 2; y < size.height; ++y)
+    for (int x = 0; x < size.width; ++x) {
+      darker_drawn += channel_at(drawn, x, y, 1) < mist - clearly ? 1 : 0;
+      darker_solid += channel_at(solid, x, y, 1) < mist - clearly ? 1 : 0;
+      darkest_drawn = std::min(darkest_drawn, channel_at(drawn, x, y, 1));
+    }
+  const int pixels = size.width * size.height / 2;
+  EXPECT_EQ(darker_solid, pixels);
+  EXPECT_LT(darker_drawn, pixels / 10);
+  EXPECT_LT(darkest_drawn, mist - 5) << "there are lines";
+  EXPECT_GT(darkest_drawn, mist - 60) << "and they are faint";
+}
+
+TEST(Ground, APlaneIsDrawnWhereItIs) {
+  Built scene = row_of_masses({{0, 0, 0}});
+  const CameraPose pose{{0.0, 0.0, 5.0}, {0.0, 0.0, 0.0}, 38.0};
+  // Rising to the right at 45 degrees through the middle of the picture.
+  scene.model.plane = Plane{{0, 0, 0}, Vec3(-1, 1, 0).normalized(), 0.5};
+  EXPECT_EQ(picture_of_ground(scene, pose).pixels,
+            [&] {
+              Look none = bare_look();
+              return draw_once(scene.model, scene.start, none,
+                               {.size = size, .samples = 4, .shadow_map_size = 0}, pose);
+            }()
+                .pixels)
+      << "the eye lies in it, so there is nothing to see";
+  scene.model.plane->point = {0.0, -0.5, 0.0};
+  const Image image = picture_of_ground(scene, pose);
+  const int below = channel_at(image, size.width / 2 + 80, size.height / 2 + 10, 1);
+  const int above = channel_at(image, size.width / 2 - 80, size.height / 2 - 10, 1);
+  EXPECT_LT(below, above - 10) << "below the slope, and above it";
 }
 
 TEST(Transparency, IsEmptyWhereNothingIs) {

@@ -13,9 +13,9 @@ namespace {
 
 MapColumn column_of(const Description& description, const char* axes, double value, const char* method,
                     std::vector<double> rows) {
-  const MapPlan plan{&find_map_axes(axes), {value}, std::move(rows), 0.6};
-  const Built variant = map_variant(description, plan.axes->columns, value, *find_method(method));
-  const auto column = map_column(plan, value, variant, column_truth(variant, plan.duration), {method, {}});
+  const MapGrid grid{&find_map_axes(axes), {value}, std::move(rows), 0.6};
+  const Built variant = map_variant(description, grid.axes->columns, value, *find_method(method));
+  const auto column = map_column(grid, value, variant, column_truth(variant, grid.duration), {method, {}});
   EXPECT_TRUE(column.has_value());
   return column.value_or(MapColumn{});
 }

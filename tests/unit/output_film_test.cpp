@@ -9,21 +9,21 @@
 namespace taut {
 namespace {
 
-std::string problem_of(const FilmPlan& plan) {
+std::string problem_of(const FilmSettings& settings) {
   try {
-    check_film_plan(plan);
+    check_film_settings(settings);
   } catch (const BadRequest& problem) {
     return problem.what();
   }
   return "";
 }
 
-TEST(FilmPlan, EveryEndingIsFineWithEvenSizes) {
+TEST(FilmSettings, EveryEndingIsFineWithEvenSizes) {
   for (const char* file : {"a.mp4", "a.webm", "a.gif", "a.webp", "A.MP4"})
     EXPECT_EQ(problem_of({file, {64, 48}, 30.0, false}), "") << file;
 }
 
-TEST(FilmPlan, OddSizesAreExplainedWhereColourIsStoredForSquares) {
+TEST(FilmSettings, OddSizesAreExplainedWhereColourIsStoredForSquares) {
   EXPECT_EQ(problem_of({"a.mp4", {65, 49}, 30.0, false}),
             ".mp4 films store colour for squares of 2×2 pixels, so width and height have to be even: 66x50 "
             "instead of 65x49");
@@ -32,13 +32,13 @@ TEST(FilmPlan, OddSizesAreExplainedWhereColourIsStoredForSquares) {
   EXPECT_EQ(problem_of({"a.webp", {65, 49}, 30.0, false}), "");
 }
 
-TEST(FilmPlan, UnknownEndingsAreToldTheKnownOnes) {
+TEST(FilmSettings, UnknownEndingsAreToldTheKnownOnes) {
   EXPECT_EQ(problem_of({"a.avi", {64, 48}, 30.0, false}),
             "a film's name has to end in one of .mp4, .webm, .gif, .webp; \"a.avi\" does not");
   EXPECT_NE(problem_of({"mp4", {64, 48}, 30.0, false}), "");
 }
 
-TEST(FilmPlan, TransparencyNeedsAFormatThatHasIt) {
+TEST(FilmSettings, TransparencyNeedsAFormatThatHasIt) {
   EXPECT_EQ(problem_of({"a.webm", {64, 48}, 30.0, true}), "");
   EXPECT_EQ(problem_of({"a.webp", {64, 48}, 30.0, true}), "");
   EXPECT_EQ(problem_of({"a.mp4", {64, 48}, 30.0, true}),

@@ -291,6 +291,8 @@ TEST(SceneErrors, WhatTheMethodCannotDoPointsAtTheMethod) {
 TEST(SceneErrors, CameraThatLooksNowhereOrFollowsNobody) {
   EXPECT_EQ(errors_of(chain_with("[camera]\neye = [0, 1, 0]\ntarget = [0, 1, 0]\n")),
             "f.toml:6:1: \"eye\" and \"target\" of [camera] are the same point\n    eye = [0, 1, 0]\n    ^");
+  EXPECT_EQ(errors_of(chain_with("[camera]\nup = [0, 0, 0]\n")),
+            "f.toml:6:1: \"up\" of [camera] must not be zero\n    up = [0, 0, 0]\n    ^");
   EXPECT_EQ(errors_of(chain_with("[camera]\nfollow = \"rop.0\"\n")),
             "f.toml:6:1: \"follow\" names no mass: \"rop.0\"\n    follow = \"rop.0\"\n    ^\n"
             "    did you mean \"rope.0\"?");

@@ -135,7 +135,7 @@ TEST(KeyReference, ListsEveryKeyOfEverySection) {
                                              "joint_friction",
                                              "pinned",
                                              "collides"}));
-  EXPECT_EQ(keys_of("`[camera]`"), (Names{"eye", "target", "field_of_view", "orbit", "follow"}));
+  EXPECT_EQ(keys_of("`[camera]`"), (Names{"eye", "target", "field_of_view", "up", "orbit", "follow"}));
   EXPECT_EQ(keys_of("`[look]`"),
             (Names{"masses",        "links",          "surface",        "ground",
                    "shadows",       "theme",          "colour_by",      "colour_range",

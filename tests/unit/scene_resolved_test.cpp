@@ -146,6 +146,7 @@ drag_coefficient = 1.3
 eye = [0, 1, 7]
 target = [0, 0.5, 0]
 field_of_view = 45
+up = [0, 0, 2]
 orbit = -3
 follow = "bob"
 [look]
@@ -280,6 +281,7 @@ TEST(ResolvedToml, KeepsWhatIsSeenAndExpected) {
   EXPECT_EQ(scene.camera.eye, Vec3(0, 1, 7));
   EXPECT_EQ(scene.camera.target, Vec3(0, 0.5, 0));
   EXPECT_EQ(scene.camera.field_of_view, 45.0);
+  EXPECT_EQ(scene.camera.up, Vec3(0, 0, 2));
   EXPECT_EQ(scene.camera.orbit, -3.0);
   EXPECT_EQ(scene.camera.follow, "bob");
   EXPECT_FALSE(scene.look.masses || scene.look.links || scene.look.ground || scene.look.shadows);

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "frames/painter.h"
-#include "host/progress.h"
 #include "frames/simulation.h"
+#include "host/progress.h"
 #include "scene/scene.h"
 
 namespace taut {
@@ -24,8 +24,8 @@ struct RenderRequest {
   std::string plan;  ///< why the scene is run as it is, for the manifest; may be empty
 };
 
-/// How one way of running a scene ended.
-struct TakeOutcome {
+/// How the run behind one panel ended.
+struct PanelOutcome {
   RunMeasures measures;  ///< of the last frame's state
   std::string failure;   ///< why that came early; empty when it didn't
 };
@@ -39,9 +39,11 @@ struct RenderOutcome {
   bool film_kept = false;
   bool stopped = false;  ///< told to stop before the end; no film then
   double seconds = 0.0;
-  std::string inputs;              ///< hash of everything that decides what the frames look like
-  std::string last_state_hash;     ///< of the last frame's state; empty when nothing was simulated
-  std::vector<TakeOutcome> takes;  ///< one a way of running it; empty when nothing was simulated
+  std::string inputs;                ///< hash of everything that decides what the frames look like
+  std::string last_state_hash;       ///< of the last frame's state; empty when nothing was simulated
+  std::vector<PanelOutcome> panels;  ///< one a panel; empty when nothing was simulated
+  /// What is odd about the pictures, from the first that is (ground_note.h).
+  std::optional<std::string> note;
 };
 
 /// Renders a scene to frames and a film, run in one way, or in several ways side by side: `scenes` differ in

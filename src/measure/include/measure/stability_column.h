@@ -13,7 +13,7 @@
 namespace taut {
 
 /// What a map is made of, the same for all methods.
-struct MapPlan {
+struct MapGrid {
   const MapAxes* axes = nullptr;
   std::vector<double> columns;  ///< values of what the columns stand for
   std::vector<double> rows;     ///< steps (s) or passes, rising
@@ -44,7 +44,7 @@ ColumnTruth column_truth(const Built& variant, double duration);
 
 /// Runs one column: every row, then the edge between them. `given` are the method's parameters beside step or
 /// passes. Errors are over the total link length. Nothing when told to stop on the way.
-std::optional<MapColumn> map_column(const MapPlan& plan, double value, const Built& variant,
+std::optional<MapColumn> map_column(const MapGrid& grid, double value, const Built& variant,
                                     const ColumnTruth& truth, const Settings& given,
                                     const std::function<bool()>& stop = {});
 

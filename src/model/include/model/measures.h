@@ -44,8 +44,11 @@ Vec3 angular_momentum(const Model& model, const State& state);
 /// Centre of the free masses (m).
 Vec3 centre_of_mass(const Model& model, const State& state);
 
-/// How far the lowest mass lies below the lowest pin (below the highest mass where nothing is pinned), along
-/// y (m).
+/// Which way is up, of unit length: against gravity, or along y where there is none.
+Vec3 up_direction(const Model& model);
+
+/// How far the lowest mass lies below the lowest pin (below the highest mass where nothing is pinned), with
+/// up_direction() (m).
 double sag(const Model& model, const State& state);
 
 /// Speed of the fastest mass (m/s).

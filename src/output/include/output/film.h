@@ -10,7 +10,7 @@
 namespace taut {
 
 /// A film to be made.
-struct FilmPlan {
+struct FilmSettings {
   std::filesystem::path file;  ///< its ending chooses the format: .mp4, .webm, .gif or .webp
   Size size;
   double frames_per_second = 30.0;
@@ -18,17 +18,17 @@ struct FilmPlan {
 };
 
 /// Throws BadRequest when the format does not exist or can't hold films of that size or with transparency.
-void check_film_plan(const FilmPlan& plan);
+void check_film_settings(const FilmSettings& settings);
 
 /// A film that grows frame by frame, encoded by ffmpeg while it grows. It gets its name only when finished;
 /// until then nothing of that name is touched.
 class Film {
  public:
-  /// Starts the encoder. Throws BadRequest as check_film_plan() does, and RunFailure when ffmpeg is not
+  /// Starts the encoder. Throws BadRequest as check_film_settings() does, and RunFailure when ffmpeg is not
   /// installed or the folder can't be written.
-  explicit Film(const FilmPlan& plan);
+  explicit Film(const FilmSettings& settings);
 
-  /// Adds the next frame, of the plan's size. Throws RunFailure with the encoder's last lines when it gave
+  /// Adds the next frame, of the size set. Throws RunFailure with the encoder's last lines when it gave
   /// up.
   void add(const Image& frame);
   /// Waits for the encoder and gives the film its name. Throws RunFailure with the encoder's last lines.

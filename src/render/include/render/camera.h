@@ -11,7 +11,15 @@ struct CameraPose {
   Vec3 eye{0.0, 1.0, 5.0};      ///< m
   Vec3 target{0.0, 1.0, 0.0};   ///< m
   double field_of_view = 38.0;  ///< degrees, vertical
+  Vec3 up = Vec3::UnitY();      ///< unit length
 };
+
+/// Which way is up in pictures of a model, of unit length: as the camera says, or against gravity.
+Vec3 up_direction(const Camera& camera, const Model& model);
+
+/// Axes of which the second points up (unit length): those of the world, turned by the shortest way that
+/// takes y there (by half a turn about x where that is −y). As columns.
+Eigen::Matrix3d upright_axes(const Vec3& up);
 
 /// The camera at the time of `now`: its eye turned about the vertical through the target (counter-clockwise
 /// seen from above) by orbit × time, then both displaced as far as the followed mass has moved since `start`.

@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "measure/stability_column.h"
-#include "study/case_store.h"
+#include "frames/simulation.h"
 #include "host/progress.h"
 #include "host/shard.h"
-#include "frames/simulation.h"
+#include "measure/stability_column.h"
 #include "scene/scene.h"
+#include "study/case_store.h"
 
 namespace taut {
 
@@ -26,7 +26,7 @@ MapMethod parse_map_method(const std::string& text);
 /// Which maps are to be made of a scene, and how.
 struct StabilityRequest {
   std::vector<MapMethod> methods;
-  MapPlan plan;
+  MapGrid grid;
   Shard shard;
   bool overwrite = false;
   bool run = true;  ///< false: only what is there already
@@ -39,15 +39,15 @@ struct MethodMap {
 };
 
 struct StabilityMaps {
-  MapPlan plan;
+  MapGrid grid;
   std::vector<MethodMap> maps;  ///< in the order of the request
   CaseCount count;              ///< of columns, over all methods (of this shard)
   bool stopped = false;
 };
 
-/// The plan of a map over these axes with at most so many columns and rows (fewer where whole
+/// The grid of a map over these axes with at most so many columns and rows (fewer where whole
 /// numbers repeat). The duration is the scene's, at most `longest` (s).
-MapPlan make_map_plan(const Scene& scene, const MapAxes& axes, int columns, int rows, double longest);
+MapGrid make_map_grid(const Scene& scene, const MapAxes& axes, int columns, int rows, double longest);
 
 /// Throws BadRequest where the scene can't be varied as the axes ask; writes nothing.
 void check_map_request(const Scene& scene, const StabilityRequest& request);

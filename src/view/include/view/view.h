@@ -28,7 +28,7 @@ struct Look {
   bool masses = true;
   bool links = true;
   bool surface = false;  ///< the triangles of sheets
-  bool ground = true;    ///< a plane with grid lines at ground_height
+  bool ground = true;    ///< the scene's planes, or without any a level place with grid lines
   bool shadows = true;
   bool bones = true;      ///< bodies as capsules, in place of their masses and links
   bool colliders = true;  ///< solids, but for planes
@@ -36,9 +36,9 @@ struct Look {
   ColourBy colour_by = ColourBy::plain;
   double colour_range =
       0.0;  ///< value at the top of the colour scale (strain: 1, tension: N, speed: m/s); 0: from the frame
-  double ground_height = 0.0;  ///< m, along y
-  double mass_radius = 0.0;    ///< m; 0: 0.29 of the median link length
-  double link_radius = 0.0;    ///< m; 0: 0.42 of the mass radius
+  std::optional<double> ground_height;  ///< m, upwards; left out: the plane's own, or 0 without any
+  double mass_radius = 0.0;             ///< m; 0: 0.29 of the median link length
+  double link_radius = 0.0;             ///< m; 0: 0.42 of the mass radius
   Colour mass_colour{0.80, 0.55, 0.20};
   Colour pin_colour{0.75, 0.15, 0.15};
   Colour link_colour{0.32, 0.36, 0.42};
@@ -55,7 +55,9 @@ struct Camera {
   Vec3 eye{0.0, 1.0, 5.0};      ///< m
   Vec3 target{0.0, 1.0, 0.0};   ///< m
   double field_of_view = 38.0;  ///< degrees, vertical
-  double orbit = 0.0;           ///< degrees per second about the vertical through the target
+  std::optional<Vec3> up =
+      std::nullopt;    ///< any length but 0; left out: against gravity, or y where there is none
+  double orbit = 0.0;  ///< degrees per second about the vertical through the target
   std::string follow;  ///< name of a mass: eye and target move along with it, as far as it has moved since
                        ///< the start; empty: stay
 };
