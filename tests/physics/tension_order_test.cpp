@@ -29,24 +29,30 @@ Settings settings_of(const Variant& variant, double rate) {
 
 class SecondOrderTension : public ::testing::TestWithParam<Variant> {
  protected:
-  // The observed order of an error over steps a second.
-  static double order_of(const std::vector<double>& rates, const std::function<double(double)>& error) {
+  // Order 4 is down to rounding where order 2 has just begun to converge.
+  static std::vector<double> rates(double first) {
+    if (GetParam().order == "4") first = 50.0;
+    return {first, 2.0 * first, 4.0 * first, 8.0 * first};
+  }
+
+  // The observed order of an error over steps a second; errors_ has the errors.
+  double order_of(const std::vector<double>& all_rates, const std::function<double(double)>& error) {
     std::vector<double> steps, errors;
-    std::string text;
-    for (const double rate : rates) {
+    errors_.clear();
+    for (const double rate : all_rates) {
       steps.push_back(1.0 / rate);
       errors.push_back(error(rate));
-      text += fmt::format(" {:.3g}", errors.back());
+      errors_ += fmt::format(" {:.3g} N at {} steps/s", errors.back(), rate);
     }
-    ::testing::Test::RecordProperty("errors", text);
-    fmt::print("    {} {}{}: errors{}\n", GetParam().method, GetParam().passes, GetParam().order, text);
     return observed_order(steps, errors);
   }
+
+  std::string errors_;
 };
 
 TEST_P(SecondOrderTension, OfAPendulumOnItsWay) {
   const Built built = build_valid(pendulum());
-  const double order = order_of({500.0, 1000.0, 2000.0, 4000.0}, [&](double rate) {
+  const double order = order_of(rates(500.0), [&](double rate) {
     double worst = 0.0;
     for (const double time : {0.25, 0.5, 0.75}) {
       const State end = run(built, settings_of(GetParam(), rate), time);
@@ -55,7 +61,7 @@ TEST_P(SecondOrderTension, OfAPendulumOnItsWay) {
     }
     return worst;
   });
-  EXPECT_GT(order, 1.9);
+  EXPECT_GT(order, 1.9) << errors_;
 }
 
 // Everything a method of second order knows as a force: springs with damping, drag, a load, a driven pin.
@@ -86,10 +92,10 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
 TEST_P(SecondOrderTension, OfAChainWithEveryForce) {
   const Built built = build_valid(everything(GetParam().order != "4"));
   const State exact = integrate_explicitly(built.model, built.start, {0.3}, 1e-12).at(0);
-  const double order = order_of({2000.0, 4000.0, 8000.0}, [&](double rate) {
+  const double order = order_of(rates(1000.0), [&](double rate) {
     return largest_difference(run(built, settings_of(GetParam(), rate), 0.3).tension, exact.tension);
   });
-  EXPECT_GT(order, 1.8);
+  EXPECT_GT(order, 1.8) << errors_;
 }
 
 // The first steps from a start in motion, where nothing is known of the steps before.
@@ -98,7 +104,7 @@ TEST_P(SecondOrderTension, AfterTheFirstSteps) {
   State start = built.start;
   start.velocity.set(1, {0.0, -3.0, 0.0});
   for (const std::int64_t count : {1, 2, 3}) {
-    const double order = order_of({500.0, 1000.0, 2000.0, 4000.0}, [&](double rate) {
+    const double order = order_of(rates(100.0), [&](double rate) {
       State state = start;
       simulate(built.model, state, settings_of(GetParam(), rate), count);
       const double exact =
@@ -107,14 +113,14 @@ TEST_P(SecondOrderTension, AfterTheFirstSteps) {
               .tension[0];
       return std::abs(state.tension[0] - exact);
     });
-    EXPECT_GT(order, 1.8) << count << " steps";
+    EXPECT_GT(order, 1.8) << count << " steps:" << errors_;
   }
 }
 
 // A guard halves steps, and the rest of a broken step is a short one.
 TEST_P(SecondOrderTension, WhereTheStepChanges) {
   const Built built = build_valid(pendulum());
-  const double order = order_of({500.0, 1000.0, 2000.0, 4000.0}, [&](double rate) {
+  const double order = order_of(rates(500.0), [&](double rate) {
     const Settings how = complete_settings(settings_of(GetParam(), rate));
     const auto stepper = find_method(how.method)->make(built.model, how);
     State state = built.start;
@@ -128,16 +134,18 @@ TEST_P(SecondOrderTension, WhereTheStepChanges) {
     }
     return worst;
   });
-  EXPECT_GT(order, 1.8);
+  EXPECT_GT(order, 1.8) << errors_;
+}
+
+std::string variant_name(const ::testing::TestParamInfo<Variant>& info) {
+  return info.param.method + info.param.order +
+         (info.param.passes > 0.0 ? fmt::format("{:.0f}", info.param.passes) : "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, SecondOrderTension,
                          ::testing::Values(Variant{"shake", 1.0}, Variant{"shake", 16.0}, Variant{"rattle"},
                                            Variant{"rattle", 0.0, "4"}),
-                         [](const ::testing::TestParamInfo<Variant>& info) {
-                           return info.param.method + info.param.order +
-                                  (info.param.passes > 0.0 ? fmt::format("{:.0f}", info.param.passes) : "");
-                         });
+                         variant_name);
 
 // verlet's corrections sum to the tension: at rest they hold what hangs below, whatever the masses.
 TEST(VerletTension, HoldsWhatHangs) {
