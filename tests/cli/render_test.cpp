@@ -170,7 +170,8 @@ TEST_F(RenderTest, QuietSaysNothing) {
 
 TEST_F(RenderTest, MassesBelowAGroundThatStopsNothingGetANote) {
   const std::string note = "masses is below the drawn ground at y = 1.5, which stops nothing";
-  const Words high{"--set", "look.ground_height=1.5", "--size", "64x48", "--json"};
+  const Words high{"--set", "look.ground_height=1.5", "--set", "camera.eye=[0, 3, 5]", "--size", "64x48",
+                   "--json"};
   const auto say = [&](Words words) {
     words.insert(words.end(), high.begin(), high.end());
     const Ran ran = taut(words);
@@ -182,8 +183,8 @@ TEST_F(RenderTest, MassesBelowAGroundThatStopsNothingGetANote) {
     EXPECT_EQ(taut(words).err, "");
   };
   say({"render", scene_, "-o", frames_});
-  say({"still", scene_, "--at", "1s", "-o", folder_ / "still.png"});
-  say({"strip", scene_, "--count", "2", "-o", folder_ / "strip.png"});
+  say({"still", scene_, "--at", "0.6s", "-o", folder_ / "still.png"});
+  say({"strip", scene_, "--count", "3", "-o", folder_ / "strip.png"});
   const Ran ran = render({"--overwrite"});
   EXPECT_EQ(ran.err.find("drawn ground"), std::string::npos) << ran.err;
   EXPECT_FALSE(Json::parse(ran.out).contains("note")) << ran.out;

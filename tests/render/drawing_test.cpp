@@ -221,7 +221,7 @@ TEST(Ground, ASolidOneIsASurfaceAndADrawnOneAFewFaintLines) {
     }
   const int pixels = size.width * size.height / 2;
   EXPECT_EQ(darker_solid, pixels);
-  EXPECT_LT(darker_drawn, pixels / 10);
+  EXPECT_LT(darker_drawn, pixels / 4);
   EXPECT_LT(darkest_drawn, mist - 5) << "there are lines";
   EXPECT_GT(darkest_drawn, mist - 60) << "and they are faint";
 }
