@@ -10,8 +10,8 @@
 #include "base/failure.h"
 #include "base/nearest.h"
 #include "exit_status.h"
-#include "methods/registry.h"
 #include "host/scene_folder.h"
+#include "methods/registry.h"
 #include "scene/scene.h"
 #include "verbs.h"
 
@@ -40,6 +40,18 @@ Json param_to_json(const Param& param) {
   return json;
 }
 
+std::string_view name_of(Keeping keeping) {
+  switch (keeping) {
+    case Keeping::kept:
+      return "kept";
+    case Keeping::lost_with_step:
+      return "lost_with_step";
+    case Keeping::not_kept:
+      break;
+  }
+  return "not_kept";
+}
+
 Json method_to_json(const Method& method) {
   Json params = Json::array();
   for (const Param& param : method.params) params.push_back(param_to_json(param));
@@ -50,12 +62,16 @@ Json method_to_json(const Method& method) {
           {"capabilities",
            {{"stiffness", method.can.stiffness},
             {"rigid", method.can.rigid},
-            {"plane", method.can.plane},
+            {"ground", method.can.ground},
             {"limits", method.can.limits},
             {"colliders", method.can.colliders},
             {"drag", method.can.drag},
             {"break_stretch", method.can.break_stretch},
-            {"break_tension", method.can.break_tension}}}};
+            {"break_tension", method.can.break_tension}}},
+          {"keeps",
+           {{"linear_momentum", name_of(method.can.keeps.linear_momentum)},
+            {"angular_momentum", name_of(method.can.keeps.angular_momentum)},
+            {"energy", name_of(method.can.keeps.energy)}}}};
 }
 
 void print_param(const Param& param) {
@@ -75,7 +91,8 @@ void list_methods(bool as_json) {
     return;
   }
   for (const Method& method : all_methods()) {
-    fmt::print("{}: {}\n    {}\n", method.name, method.title, method.source);
+    fmt::print("{}: {}\n    {}\n    {}\n", method.name, method.title, method.source,
+               conservation_text(method.can.keeps));
     for (const Param& param : method.params) print_param(param);
   }
 }

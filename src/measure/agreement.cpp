@@ -8,10 +8,10 @@
 #include "base/failure.h"
 #include "measure/cost.h"
 #include "measure/method_variants.h"
-#include "model/measures.h"
-#include "motion/sampled_run.h"
 #include "measure/work_precision.h"
+#include "model/measures.h"
 #include "model/parts.h"
+#include "motion/sampled_run.h"
 
 namespace taut {
 namespace {
@@ -31,7 +31,7 @@ struct Passes {
 };
 
 Passes passes_for(const Model& model) {
-  const bool impacts = model.plane || !model.contacts.empty() || !model.limits.empty();
+  const bool impacts = !model.contacts.empty() || !model.limits.empty();
   return impacts ? Passes{64, 16} : Passes{};
 }
 

@@ -1,7 +1,7 @@
 #include "methods/acceleration.h"
 
-#include "forces/forces.h"
 #include "direct/link_system.h"
+#include "forces/forces.h"
 #include "forces/springs.h"
 
 namespace taut {
@@ -12,14 +12,6 @@ std::vector<Index> whole_rigid_links(const Model& model, const State& state) {
   for (const Index link : solvable_links(model))
     if (model.links.rigid(link) && !state.broken(link)) links.push_back(link);
   return links;
-}
-
-// d·(u_a − u_b) of every link.
-void along_links(const SystemLinks& links, const Vectors& direction, const Vectors& u,
-                 std::vector<double>& result) {
-  result.resize(links.size());
-  for (std::size_t i = 0; i < links.size(); ++i)
-    result[i] = direction.at(i).dot(u.at(links.a[i]) - u.at(links.b[i]));
 }
 
 }  // namespace

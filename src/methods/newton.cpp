@@ -13,11 +13,11 @@
 #include <array>
 #include <optional>
 
-#include "direct/fast_projection.h"
-#include "forces/forces.h"
-#include "direct/implicit_net.h"
 #include "contact/joint_resistance.h"
+#include "direct/fast_projection.h"
+#include "direct/implicit_net.h"
 #include "direct/link_topology.h"
+#include "forces/forces.h"
 #include "methods/method.h"
 #include "parameters.h"
 #include "solve_guard.h"
@@ -88,6 +88,7 @@ std::unique_ptr<Stepper> make(const Model& model, const Settings& settings) {
 
 Method newton_method() {
   Capabilities can;
+  can.keeps = {Keeping::kept, Keeping::lost_with_step, Keeping::lost_with_step};
   can.stiffness = true;
   can.limits = true;
   can.break_stretch = true;

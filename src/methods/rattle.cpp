@@ -26,12 +26,12 @@
 #include <array>
 #include <cmath>
 
-#include "direct/active_limits.h"
 #include "base/failure.h"
+#include "contact/joint_resistance.h"
+#include "direct/active_limits.h"
+#include "direct/link_system.h"
 #include "forces/forces.h"
 #include "forces/half_kicks.h"
-#include "contact/joint_resistance.h"
-#include "direct/link_system.h"
 #include "methods/method.h"
 #include "parameters.h"
 #include "solve_guard.h"
@@ -194,8 +194,7 @@ class RattleStepper final : public Stepper {
       report.status = StepStatus::factorisation_failed;
       return;
     }
-    for (std::size_t i = 0; i < links.size(); ++i)
-      residual_[i] = direction_.at(i).dot(velocity_.at(links.a[i]) - velocity_.at(links.b[i]));
+    along_links(links, direction_, velocity_, residual_);
     if (limits_.none())
       system_.matrix->solve(residual_);
     else

@@ -16,10 +16,10 @@
 #include <cmath>
 
 #include "forces/forces.h"
+#include "forces/springs.h"
 #include "methods/method.h"
 #include "parameters.h"
 #include "solve_guard.h"
-#include "forces/springs.h"
 
 namespace taut {
 namespace {
@@ -165,6 +165,7 @@ std::unique_ptr<Stepper> make(const Model& model, const Settings&) {
 
 Method spring_implicit_method() {
   Capabilities can;
+  can.keeps = {Keeping::kept, Keeping::lost_with_step, Keeping::lost_with_step};
   can.stiffness = true;
   can.rigid = false;
   can.break_stretch = true;

@@ -13,12 +13,12 @@
 #include <cmath>
 #include <utility>
 
+#include "contact/joint_resistance.h"
 #include "contact/limits_and_contacts.h"
 #include "forces/forces.h"
-#include "contact/joint_resistance.h"
-#include "relax/link_order.h"
 #include "methods/method.h"
 #include "parameters.h"
+#include "relax/link_order.h"
 
 namespace taut {
 namespace {
@@ -26,7 +26,7 @@ namespace {
 class VerletStepper final : public Stepper {
  public:
   VerletStepper(const Model& model, int passes)
-      : model_(model), passes_(passes), beside_(model), joints_(model) {}
+      : model_(model), passes_(passes), limits_and_contacts_(model), joints_(model) {}
 
   void links_changed(const State& state) override { order_ = coloured_order(model_, state); }
 
@@ -39,16 +39,17 @@ class VerletStepper final : public Stepper {
     joints_.act(state, h, 1.0, velocity_);
     drift(h, start_, velocity_, state.position);
     place_pins(model_, end_time, state.position, velocity_);
-    beside_.begin_step(start_, state);
+    limits_and_contacts_.begin_step(start_, state);
     for (int pass = 0; pass < passes_; ++pass) {
       relax(state.position);
-      beside_.solve(h, 1.0, state.position);
+      limits_and_contacts_.solve(h, 1.0, state.position);
     }
     StepReport report;
     report.rounds = passes_;
-    report.link_solves = (static_cast<std::int64_t>(order_.links.size()) + beside_.size()) * passes_;
+    report.link_solves =
+        (static_cast<std::int64_t>(order_.links.size()) + limits_and_contacts_.size()) * passes_;
     difference_quotient(h, start_, state.position, velocity_);
-    beside_.rebound(h, velocity_);
+    limits_and_contacts_.rebound(h, velocity_);
     kick(model_, end_time, 0.5 * h, velocity_, velocity_);
     place_pins(model_, end_time, state.position, velocity_);
     std::swap(state.velocity, velocity_);
@@ -60,7 +61,7 @@ class VerletStepper final : public Stepper {
       report.status = StepStatus::not_finite;
       return report;
     }
-    beside_.keep(state);
+    limits_and_contacts_.keep(state);
     joints_.keep(start_, state);
     return report;
   }
@@ -82,7 +83,7 @@ class VerletStepper final : public Stepper {
 
   const Model& model_;
   int passes_;
-  BesideLinks beside_;
+  LimitsAndContacts limits_and_contacts_;
   JointResistance joints_;
   OrderedLinks order_;
   Vectors start_, velocity_;
@@ -98,8 +99,9 @@ std::unique_ptr<Stepper> make(const Model& model, const Settings& settings) {
 
 Method verlet_method() {
   Capabilities can;
+  can.keeps = {Keeping::kept, Keeping::lost_with_step, Keeping::lost_with_step};
   can.half_kicked = true;
-  can.plane = true;
+  can.ground = true;
   can.limits = true;
   can.colliders = true;
   can.break_stretch = true;

@@ -21,13 +21,13 @@
 #include <vector>
 
 #include "base/failure.h"
+#include "contact/joint_resistance.h"
 #include "contact/limits_and_contacts.h"
 #include "forces/forces.h"
-#include "contact/joint_resistance.h"
-#include "relax/link_order.h"
 #include "methods/method.h"
 #include "model/parts.h"
 #include "parameters.h"
+#include "relax/link_order.h"
 #include "relax/xpbd_single.h"
 
 namespace taut {
@@ -71,7 +71,7 @@ class XpbdStepper final : public Stepper {
   XpbdStepper(const Model& model, int passes)
       : model_(model),
         passes_(passes),
-        beside_(model),
+        limits_and_contacts_(model),
         joints_(model),
         equal_weight_(common_weight(model)),
         equal_inverse_weight_(0.5 / equal_weight_) {}
@@ -122,16 +122,16 @@ class XpbdStepper final : public Stepper {
     drift(h, start_, velocity_, state.position);
     place_pins(model_, end_time, state.position, velocity_);
     multipliers_.assign(links_.size(), 0.0);
-    beside_.begin_step(start_, state);
+    limits_and_contacts_.begin_step(start_, state);
     for (int pass = 0; pass < passes_; ++pass) {
       solve_all(state.position, h);
-      beside_.solve(h, 1.0 / (1.0 + h * model_.drag), state.position);
+      limits_and_contacts_.solve(h, 1.0 / (1.0 + h * model_.drag), state.position);
     }
     StepReport report;
     report.rounds = passes_;
-    report.link_solves = (static_cast<std::int64_t>(links_.size()) + beside_.size()) * passes_;
+    report.link_solves = (static_cast<std::int64_t>(links_.size()) + limits_and_contacts_.size()) * passes_;
     difference_quotient(h, start_, state.position, velocity_);
-    beside_.rebound(h, velocity_);
+    limits_and_contacts_.rebound(h, velocity_);
     place_pins(model_, end_time, state.position, velocity_);
     std::swap(state.velocity, velocity_);
     state.time = end_time;
@@ -142,7 +142,7 @@ class XpbdStepper final : public Stepper {
       report.status = StepStatus::not_finite;
       return report;
     }
-    beside_.keep(state);
+    limits_and_contacts_.keep(state);
     joints_.keep(start_, state);
     for (std::size_t i = 0; i < links_.size(); ++i) state.tension[links_[i]] = -multipliers_[i] / (h * h);
     return report;
@@ -235,7 +235,7 @@ class XpbdStepper final : public Stepper {
 
   const Model& model_;
   int passes_;
-  BesideLinks beside_;
+  LimitsAndContacts limits_and_contacts_;
   JointResistance joints_;
   double equal_weight_, equal_inverse_weight_;  // w of all free masses, 1/(2 w); −1 where they differ
   std::vector<PlainLink> plain_;                // colour by colour
@@ -259,7 +259,7 @@ constexpr std::array params{
 std::unique_ptr<Stepper> make(const Model& model, const Settings& settings) {
   const int passes = static_cast<int>(settings.number("passes"));
   if (settings.choice("precision") == "single") {
-    if (!model.limits.empty() || !model.colliders.empty() || !model.contacts.empty() || model.wind)
+    if (!model.limits.empty() || !touches_only_ground(model) || model.wind)
       throw BadRequest(
           "method xpbd in single precision knows no limits on angles, no solids but the ground, no touching "
           "bodies and no wind: use precision = \"double\" for this scene");
@@ -272,8 +272,9 @@ std::unique_ptr<Stepper> make(const Model& model, const Settings& settings) {
 
 Method xpbd_method() {
   Capabilities can;
+  can.keeps = {Keeping::kept, Keeping::lost_with_step, Keeping::lost_with_step};
   can.stiffness = true;
-  can.plane = true;
+  can.ground = true;
   can.limits = true;
   can.colliders = true;
   can.break_stretch = true;
