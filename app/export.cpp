@@ -9,12 +9,12 @@
 #include "base/split.h"
 #include "exit_status.h"
 #include "flags.h"
+#include "frames/frame_selection.h"
+#include "frames/simulation.h"
+#include "host/signals.h"
 #include "output/atomic_file.h"
 #include "output/csv.h"
 #include "planning.h"
-#include "frames/frame_selection.h"
-#include "host/signals.h"
-#include "frames/simulation.h"
 #include "values.h"
 #include "verbs.h"
 
@@ -110,6 +110,7 @@ int export_motion(const ExportFlags& flags) {
     throw BadRequest(fmt::format("--format knows only csv, not \"{}\"", flags.format));
   const Table table = parse_table(flags.table);
   Scene scene = load(flags.scene.scene, flags.scene.overrides());
+  print_notes(scene, flags.quiet);
   const std::vector<Instant> wanted = instants(flags, scene);
   const std::optional<Plan> plan = settle_method(scene, flags.accuracy, flags.scene.method, flags.quiet);
 

@@ -7,10 +7,10 @@
 #include "base/split.h"
 #include "exit_status.h"
 #include "flags.h"
-#include "output/gnuplot.h"
 #include "host/progress.h"
-#include "study/sag_files.h"
 #include "host/signals.h"
+#include "output/gnuplot.h"
+#include "study/sag_files.h"
 #include "values.h"
 #include "verbs.h"
 
@@ -49,6 +49,7 @@ SceneOverrides sag_overrides(const SceneFlags& flags) {
 int sag(const SagFlags& flags) {
   const std::vector<int> passes = parse_passes(flags.passes);
   const Scene scene = load(flags.scene.scene, sag_overrides(flags.scene));
+  print_notes(scene, flags.quiet);
   const PictureSettings settings = flags.picture.settings(usual_panel);
   const std::string folder = flags.folder.empty() ? "out/" + scene.name + "-sag" : flags.folder;
   require_gnuplot();
