@@ -17,6 +17,7 @@
 #include "interrupted.h"
 #include "measure/expectation.h"
 #include "measures_json.h"
+#include "model/measures.h"
 #include "planning.h"
 #include "study/reference_cache.h"
 #include "verbs.h"
@@ -60,6 +61,12 @@ Json error_against_reference(const Scene& scene) {
           {"how", reference.how}};
 }
 
+// What free flight keeps: the angular momentum about the centre.
+Json spin_to_json(const Scene& scene, const State& end) {
+  const double at_start = spin(scene.model, scene.start).norm(), at_end = spin(scene.model, end).norm();
+  return {{"at_start", at_start}, {"at_end", at_end}};
+}
+
 // Simulates the scene to its end and tests what it expects there.
 void check_run(const Scene& scene, const StopTest& stop, Verdict& verdict) {
   Simulation simulation(scene);
@@ -69,6 +76,7 @@ void check_run(const Scene& scene, const StopTest& stop, Verdict& verdict) {
   verdict.json["state_hash"] = fmt::format("{:016x}", state_hash(*end));
   const RunMeasures measures = simulation.measures(*end);
   verdict.json["measures"] = measures_to_json(measures, scene);
+  if (flies_freely(scene.model)) verdict.json["spin"] = spin_to_json(scene, *end);
   verdict.json["findings"] = Json::array();
   for (const Finding& finding : check_expectation(scene.expectation, scene.model, *end, measures)) {
     verdict.json["findings"].push_back(finding_to_json(finding));
@@ -85,6 +93,7 @@ void describe(const Scene& scene, Json& json) {
   json["masses"] = scene.model.masses.size();
   json["links"] = scene.model.links.size();
   json["duration"] = scene.duration;
+  json["notes"] = scene.notes;
   json["method"] = scene.settings.method;
   json["steps_per_second"] = scene.settings.steps_per_second();
 }
@@ -96,6 +105,7 @@ Verdict check_scene(const std::string& argument, const CheckFlags& flags, const 
     Scene scene = load(argument, flags.changes.overrides());
     settle_method(scene, {}, flags.changes.method, flags.quiet);
     require_colours(scene);
+    print_notes(scene, flags.quiet);
     describe(scene, verdict.json);
     if (flags.resolved) verdict.json["resolved"] = resolved_toml(scene);
     if (flags.explain) {
@@ -143,6 +153,14 @@ void print_measures(const Json& measures) {
              measures["factorisations"].get<std::int64_t>(), measures["halvings"].get<std::int64_t>());
 }
 
+void print_spin(const Json& spin) {
+  const double at_start = spin["at_start"].get<double>(), at_end = spin["at_end"].get<double>();
+  const std::string share = at_start > 0.0 ? fmt::format(", {:.4g} %", 100.0 * at_end / at_start) : "";
+  fmt::print(
+      "  free flight: angular momentum about the centre {:.6g} kg m²/s at the start, {:.6g} at the end{}\n",
+      at_start, at_end, share);
+}
+
 void print_verdict(const Verdict& verdict, const CheckFlags& flags) {
   if (!verdict.message.empty()) fmt::print(stderr, "taut: {}\n", verdict.message);
   if (flags.json || flags.quiet || verdict.status == exit_bad_request) return;
@@ -159,6 +177,7 @@ void print_verdict(const Verdict& verdict, const CheckFlags& flags) {
   if (json.contains("reference")) print_reference(json["reference"]);
   if (!json.contains("findings")) return;
   print_measures(json["measures"]);
+  if (json.contains("spin")) print_spin(json["spin"]);
   for (const Json& finding : json["findings"])
     fmt::print("  {} {}: {}\n", finding["holds"].get<bool>() ? "holds" : "FAILS",
                finding["key"].get<std::string>(), finding["text"].get<std::string>());

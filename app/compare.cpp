@@ -47,6 +47,7 @@ int compare(const CompareFlags& flags) {
       throw BadRequest(fmt::format("--methods has {} twice", method));
     scenes.push_back(load_for(flags, method));
   }
+  print_notes(scenes.front(), flags.output.quiet);
   const RenderRequest request =
       flags.output.request(fmt::format("out/{}-compared", scenes.front().name), usual_panel);
   return render_and_report(scenes, request, flags.output);

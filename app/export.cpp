@@ -13,8 +13,8 @@
 #include "frames/frame_selection.h"
 #include "frames/simulation.h"
 #include "frames/still.h"
-#include "methods/registry.h"
 #include "interrupted.h"
+#include "methods/registry.h"
 #include "output/atomic_file.h"
 #include "output/csv.h"
 #include "planning.h"
@@ -119,6 +119,7 @@ int export_motion(const ExportFlags& flags) {
     throw BadRequest(fmt::format("--format knows only csv, not \"{}\"", flags.format));
   const Table table = parse_table(flags.table);
   Scene scene = load(flags.scene.scene, flags.scene.overrides());
+  print_notes(scene, flags.quiet);
   const std::vector<Instant> wanted = instants(flags, scene);
   const std::optional<Plan> plan = settle_method(scene, flags.accuracy, flags.scene.method, flags.quiet);
 

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <array>
+#include <cstdio>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -63,6 +64,11 @@ SceneOverrides SceneFlags::overrides() const {
 
 Scene load(const std::string& argument, const SceneOverrides& overrides) {
   return load_scene(find_scene(argument), overrides);
+}
+
+void print_notes(const Scene& scene, bool quiet) {
+  if (quiet) return;
+  for (const std::string& note : scene.notes) fmt::print(stderr, "taut: {}\n", note);
 }
 
 void PictureFlags::add_to(Verb& verb) {

@@ -26,6 +26,9 @@ struct SceneFlags {
 /// Reads the scene that an argument means. Throws BadRequest with all of its errors.
 Scene load(const std::string& argument, const SceneOverrides& overrides);
 
+/// Says on stderr what is allowed in a scene but seldom meant, unless it is to be quiet.
+void print_notes(const Scene& scene, bool quiet);
+
 /// How pictures are made.
 struct PictureFlags {
   std::string size, quality, colour, backend = "auto", shader_folder;

@@ -41,6 +41,18 @@ Json param_to_json(const Param& param) {
   return json;
 }
 
+std::string_view name_of(Keeping keeping) {
+  switch (keeping) {
+    case Keeping::kept:
+      return "kept";
+    case Keeping::lost_with_step:
+      return "lost_with_step";
+    case Keeping::not_kept:
+      break;
+  }
+  return "not_kept";
+}
+
 Json method_to_json(const Method& method) {
   Json params = Json::array();
   for (const Param& param : method.params) params.push_back(param_to_json(param));
@@ -51,13 +63,17 @@ Json method_to_json(const Method& method) {
           {"capabilities",
            {{"stiffness", method.can.stiffness},
             {"rigid", method.can.rigid},
-            {"plane", method.can.plane},
+            {"ground", method.can.ground},
             {"limits", method.can.limits},
             {"colliders", method.can.colliders},
             {"drag", method.can.drag},
             {"break_stretch", method.can.break_stretch},
             {"break_tension", method.can.break_tension},
-            {"tension_order", method.can.tension_order}}}};
+            {"tension_order", method.can.tension_order}}},
+          {"keeps",
+           {{"linear_momentum", name_of(method.can.keeps.linear_momentum)},
+            {"angular_momentum", name_of(method.can.keeps.angular_momentum)},
+            {"energy", name_of(method.can.keeps.energy)}}}};
 }
 
 void print_param(const Param& param) {
@@ -77,7 +93,8 @@ void list_methods(bool as_json) {
     return;
   }
   for (const Method& method : all_methods()) {
-    fmt::print("{}: {}\n    {}\n", method.name, method.title, method.source);
+    fmt::print("{}: {}\n    {}\n    {}\n", method.name, method.title, method.source,
+               conservation_text(method.can.keeps));
     for (const Param& param : method.params) print_param(param);
   }
 }

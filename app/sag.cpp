@@ -53,6 +53,7 @@ int sag(const SagFlags& flags) {
   Scene scene = load(flags.scene.scene, sag_overrides(flags.scene));
   flags.picture.apply_to(scene);
   if (!flags.picture.colour.empty()) require_colours(scene);
+  print_notes(scene, flags.quiet);
   const PictureSettings settings = flags.picture.settings(usual_panel);
   const std::string folder = flags.folder.empty() ? "out/" + scene.name + "-sag" : flags.folder;
   require_gnuplot();

@@ -27,6 +27,7 @@ struct StillFlags {
 
 int still(const StillFlags& flags) {
   Scene scene = load(flags.scene.scene, flags.scene.overrides());
+  print_notes(scene, flags.quiet);
   flags.picture.apply_to(scene);
   const double time = parse_seconds("--at", flags.at);
   const PictureSettings settings = flags.picture.settings();

@@ -28,6 +28,7 @@ struct StripFlags {
 
 int strip(const StripFlags& flags) {
   Scene scene = load(flags.scene.scene, flags.scene.overrides());
+  print_notes(scene, flags.quiet);
   flags.picture.apply_to(scene);
   const std::vector<double> times = strip_times(scene, parse_number("--count", flags.count));
   const PictureSettings settings = flags.picture.settings(usual_panel);

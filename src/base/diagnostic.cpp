@@ -80,16 +80,17 @@ std::string with_caret(std::string_view line, std::size_t column) {
 
 }  // namespace
 
-std::string to_text(const Diagnostic& diagnostic, std::string_view text) {
+std::string one_line(const Diagnostic& diagnostic) {
   const std::string origin = printable(diagnostic.origin);
   const std::string message = printable(diagnostic.message);
-  std::string out;
-  if (diagnostic.line == 0) {
-    out = fmt::format("{}: {}", origin, message);
-  } else {
-    out = fmt::format("{}:{}:{}: {}\n{}", origin, diagnostic.line, diagnostic.column, message,
-                      with_caret(line_of(text, diagnostic.line), diagnostic.column));
-  }
+  if (diagnostic.line == 0) return fmt::format("{}: {}", origin, message);
+  return fmt::format("{}:{}:{}: {}", origin, diagnostic.line, diagnostic.column, message);
+}
+
+std::string to_text(const Diagnostic& diagnostic, std::string_view text) {
+  std::string out = one_line(diagnostic);
+  if (diagnostic.line > 0)
+    out += fmt::format("\n{}", with_caret(line_of(text, diagnostic.line), diagnostic.column));
   if (!diagnostic.hint.empty()) out += fmt::format("\n{}{}", indent, printable(diagnostic.hint));
   return out;
 }

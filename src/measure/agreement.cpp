@@ -32,7 +32,7 @@ struct Passes {
 };
 
 Passes passes_for(const Model& model) {
-  const bool impacts = model.plane || !model.contacts.empty() || !model.limits.empty();
+  const bool impacts = !model.contacts.empty() || !model.limits.empty();
   return impacts ? Passes{64, 16} : Passes{};
 }
 

@@ -22,16 +22,17 @@ double predicted_seconds(const Model& model, std::string_view method, const Step
   const Prices& price = entry.prices;
   const auto rows = static_cast<double>(model.links.size()),
              limits = static_cast<double>(model.limits.size()), rounds = static_cast<double>(counts.rounds);
+  // Masses on the ground alone cost next to nothing.
+  const double contacts = touches_only_ground(model) ? 0.0 : static_cast<double>(model.contacts.size());
   const bool dense = price.factor > 0.0 && limits > 0.0;
   // Where links with stiffness are forces, a model without rigid links has a system of no rows.
   const bool factors = entry.can.limit != StepLimit::sideways_vibration || has_rigid_links(model);
-  return 1e-9 *
-         (any_step * steps + price.step * steps * rows +
-          price.solve * static_cast<double>(counts.link_solves) +
-          (factors ? price.factor * static_cast<double>(counts.factorisations) * rows * std::sqrt(rows)
-                   : 0.0) +
-          (dense ? dense_round * rounds * std::pow(rows + limits, 3.0) : 0.0) +
-          limit_round * rounds * limits + contact_step * steps * static_cast<double>(model.contacts.size()));
+  return 1e-9 * (any_step * steps + price.step * steps * rows +
+                 price.solve * static_cast<double>(counts.link_solves) +
+                 (factors ? price.factor * static_cast<double>(counts.factorisations) * rows * std::sqrt(rows)
+                          : 0.0) +
+                 (dense ? dense_round * rounds * std::pow(rows + limits, 3.0) : 0.0) +
+                 limit_round * rounds * limits + contact_step * steps * contacts);
 }
 
 double predicted_seconds(const Model& model, std::string_view method, double steps, std::int64_t passes) {

@@ -14,7 +14,7 @@ constexpr std::int64_t interval = 4;  // steps between two looks
 constexpr double alike = 1e-9;        // of the scene's size
 
 bool has_events(const Model& model) {
-  return model.plane || !model.contacts.empty() || !model.limits.empty() || !model.breakable_links.empty();
+  return !model.contacts.empty() || !model.limits.empty() || !model.breakable_links.empty();
 }
 
 std::string_view cause(const Model& model, const State& state) {
@@ -26,7 +26,6 @@ std::string_view cause(const Model& model, const State& state) {
 
 Model without_events(const Model& model) {
   Model calm = model;
-  calm.plane.reset();
   calm.colliders.clear();
   calm.contacts.clear();
   calm.limits.clear();

@@ -8,6 +8,7 @@
 
 #include "base/failure.h"
 #include "measure/exact.h"
+#include "methods/registry.h"
 #include "model/measures.h"
 #include "motion/run.h"
 
@@ -22,7 +23,7 @@ double end_of(const Motion& motion) {
 // A chain that the formulas know: alone in its scene, along the arrays, every link alike and every inner mass
 // alike, and all of it in a vertical plane through its pins.
 bool is_plain_chain(const Model& model) {
-  if (model.chains.size() != 1 || !model.loads.empty() || model.plane) return false;
+  if (model.chains.size() != 1 || !model.loads.empty() || !model.contacts.empty()) return false;
   const Chain& chain = model.chains.front();
   const Links& links = model.links;
   if (chain.link_count != links.size() || chain.link_count + 1 != model.masses.size()) return false;

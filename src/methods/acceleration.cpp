@@ -14,14 +14,6 @@ std::vector<Index> whole_rigid_links(const Model& model, const State& state) {
   return links;
 }
 
-// d·(u_a − u_b) of every link.
-void along_links(const SystemLinks& links, const Vectors& direction, const Vectors& u,
-                 std::vector<double>& result) {
-  result.resize(links.size());
-  for (std::size_t i = 0; i < links.size(); ++i)
-    result[i] = direction.at(i).dot(u.at(links.a[i]) - u.at(links.b[i]));
-}
-
 }  // namespace
 
 struct AccelerationField::Parts {

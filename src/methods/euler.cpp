@@ -17,6 +17,7 @@
 #include <array>
 #include <cmath>
 
+#include "contact/ground_contacts.h"
 #include "file_order_stepper.h"
 #include "forces/forces.h"
 #include "methods/method.h"
@@ -28,7 +29,11 @@ namespace {
 class EulerStepper final : public FileOrderStepper {
  public:
   EulerStepper(const Model& model, int passes, bool keep_velocities)
-      : model_(model), passes_(passes), keep_velocities_(keep_velocities), links_(solvable_links(model)) {}
+      : model_(model),
+        passes_(passes),
+        keep_velocities_(keep_velocities),
+        links_(solvable_links(model)),
+        ground_(model) {}
 
  private:
   void links_changed(const State&) override {}
@@ -42,7 +47,7 @@ class EulerStepper final : public FileOrderStepper {
     drift(h, state.position, next.velocity, next.position);
     place_pins(model_, next.time, next.position, next.velocity);
     for (int pass = 0; pass < passes_; ++pass) relax(next, report);
-    if (model_.plane) land(state, next, h);
+    if (!ground_.empty()) land(state, next, h);
     if (!keep_velocities_) {
       difference_quotient(h, state.position, next.position, next.velocity);
       place_pins(model_, next.time, next.position, next.velocity);
@@ -84,11 +89,11 @@ class EulerStepper final : public FileOrderStepper {
     }
   }
 
-  // The plane is not in the text: masses in it are put onto it, and what it takes from their way it takes
+  // The ground is not in the text: masses in it are put onto it, and what it takes from their way it takes
   // from their velocity too, or kept velocities would grow for ever below it.
   void land(const State& before, State& next, double h) const {
     const Vectors fallen = next.position;
-    keep_out_of_plane(*model_.plane, model_.masses, before.position, next.position);
+    ground_.solve(before.position, next.position);
     for (std::size_t i = 0; i < fallen.size(); ++i)
       next.velocity.add(i, (next.position.at(i) - fallen.at(i)) / h);
   }
@@ -97,6 +102,7 @@ class EulerStepper final : public FileOrderStepper {
   int passes_;
   bool keep_velocities_;
   std::vector<Index> links_;
+  GroundContacts ground_;
 };
 
 constexpr std::array<std::string_view, 2> velocity_choices{"kept", "derived"};
@@ -116,8 +122,9 @@ std::unique_ptr<Stepper> make(const Model& model, const Settings& settings, cons
 
 Method euler_method() {
   Capabilities can;
+  can.keeps = {Keeping::not_kept, Keeping::not_kept, Keeping::not_kept};
   can.limit = StepLimit::kept_velocities;
-  can.plane = true;
+  can.ground = true;
   can.break_stretch = true;
   can.breaks_within_step = true;
   can.tension_order = 0;

@@ -17,7 +17,7 @@ void SwappingStepper::copy_to_work(const State& state) {
   tension_ = state.tension;
   kick_before_ = state.unanswered_kick;
   tension_before_ = state.tension_before;
-  joints_before_ = state.holds.joints;
+  joints_before_ = state.static_friction.joints;
 }
 
 void SwappingStepper::take_over(State& state, double end_time, StepReport& report) {
@@ -39,7 +39,7 @@ void SwappingStepper::undo() {
   state_.time = time_before_;
   state_.unanswered_kick = kick_before_;
   state_.tension_before = tension_before_;
-  state_.holds.joints = joints_before_;
+  state_.static_friction.joints = joints_before_;
 }
 
 }  // namespace taut

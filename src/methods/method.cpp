@@ -1,5 +1,7 @@
 #include "methods/method.h"
 
+#include <fmt/format.h>
+
 namespace taut {
 
 double Settings::number(std::string_view name) const {
@@ -8,6 +10,24 @@ double Settings::number(std::string_view name) const {
 
 std::string_view Settings::choice(std::string_view name) const {
   return std::get<std::string>(values.find(name)->second);
+}
+
+std::string conservation_text(const Conservation& keeps) {
+  const auto momentum = [](Keeping keeping) {
+    switch (keeping) {
+      case Keeping::kept:
+        return "kept to rounding";
+      case Keeping::lost_with_step:
+        return "lost in proportion to the step";
+      case Keeping::not_kept:
+        break;
+    }
+    return "not kept";
+  };
+  const std::string_view energy =
+      keeps.energy == Keeping::kept ? "swings without drift" : momentum(keeps.energy);
+  return fmt::format("linear momentum {}, angular momentum {}, energy {}", momentum(keeps.linear_momentum),
+                     momentum(keeps.angular_momentum), energy);
 }
 
 void StepReport::add(const StepReport& other) {

@@ -81,6 +81,7 @@ std::unique_ptr<Stepper> make(const Model& model, const Settings& settings, cons
 Method newton_method() {
   Capabilities can;
   can.takes_steps_back = true;
+  can.keeps = {Keeping::kept, Keeping::lost_with_step, Keeping::lost_with_step};
   can.stiffness = true;
   can.limits = true;
   can.break_stretch = true;

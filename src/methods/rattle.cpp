@@ -193,8 +193,7 @@ class RattleStepper final : public SwappingStepper {
       report.status = StepStatus::factorisation_failed;
       return;
     }
-    for (std::size_t i = 0; i < links.size(); ++i)
-      residual_[i] = direction_.at(i).dot(velocity_.at(links.a[i]) - velocity_.at(links.b[i]));
+    along_links(links, direction_, velocity_, residual_);
     if (limits_.none())
       system_.matrix->solve(residual_);
     else

@@ -117,10 +117,10 @@ std::vector<std::string> capability_problems(const Model& model, const Method& m
   };
   need(soft, &Capabilities::stiffness, "links with stiffness");
   need(rigid, &Capabilities::rigid, "rigid links (without stiffness)");
-  need(model.plane.has_value(), &Capabilities::plane, "ground plane");
+  const bool only_ground = touches_only_ground(model);
+  need(!model.contacts.empty() && only_ground, &Capabilities::ground, "ground plane");
   need(!model.limits.empty(), &Capabilities::limits, "limits on angles");
-  need(!model.contacts.empty(), &Capabilities::colliders,
-       "solids but a plane without rebound, masses of some size, or bodies that touch");
+  need(!only_ground, &Capabilities::colliders, "solids but planes without rebound, or bodies that touch");
   need(model.drag > 0.0, &Capabilities::drag, "drag");
   need(stretch, &Capabilities::break_stretch, "breaking by stretch");
   need(tension, &Capabilities::break_tension, "breaking by tension");

@@ -22,7 +22,6 @@
 #include <array>
 #include <cmath>
 #include <utility>
-#include <utility>
 
 #include "contact/joint_resistance.h"
 #include "direct/link_system.h"
@@ -113,8 +112,7 @@ class ShakeStepper final : public SwappingStepper {
     StepReport probe;
     Vectors before = std::exchange(position_, state.position),
             velocity_before = std::exchange(velocity_, state.velocity);
-    if (move(state, h, state.time + h, probe))
-      put_start_tensions(h, state.unanswered_kick, state.tension);
+    if (move(state, h, state.time + h, probe)) put_start_tensions(h, state.unanswered_kick, state.tension);
     position_ = std::move(before);  // what undo() needs
     velocity_ = std::move(velocity_before);
     report.rounds += probe.rounds;

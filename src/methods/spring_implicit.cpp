@@ -162,6 +162,7 @@ std::unique_ptr<Stepper> make(const Model& model, const Settings&, const Executi
 Method spring_implicit_method() {
   Capabilities can;
   can.takes_steps_back = true;
+  can.keeps = {Keeping::kept, Keeping::lost_with_step, Keeping::lost_with_step};
   can.stiffness = true;
   can.rigid = false;
   can.break_stretch = true;

@@ -28,7 +28,7 @@ namespace {
 class VerletStepper final : public FileOrderStepper {
  public:
   VerletStepper(const Model& model, int passes)
-      : model_(model), passes_(passes), beside_(model), joints_(model) {}
+      : model_(model), passes_(passes), limits_and_contacts_(model), joints_(model) {}
 
  private:
   void links_changed(const State& state) override {
@@ -46,16 +46,17 @@ class VerletStepper final : public FileOrderStepper {
     drift(h, start_, velocity_, state.position);
     place_pins(model_, end_time, state.position, velocity_);
     moved_.assign(order_.links.size(), 0.0);
-    beside_.begin_step(start_, state);
+    limits_and_contacts_.begin_step(start_, state);
     for (int pass = 0; pass < passes_; ++pass) {
       relax(state.position);
-      beside_.solve(h, 1.0, state.position);
+      limits_and_contacts_.solve(h, 1.0, state.position);
     }
     StepReport report;
     report.rounds = passes_;
-    report.link_solves = (static_cast<std::int64_t>(order_.links.size()) + beside_.size()) * passes_;
+    report.link_solves =
+        (static_cast<std::int64_t>(order_.links.size()) + limits_and_contacts_.size()) * passes_;
     difference_quotient(h, start_, state.position, velocity_);
-    beside_.rebound(h, velocity_);
+    limits_and_contacts_.rebound(h, velocity_);
     kick(model_, end_time, 0.5 * h, velocity_, velocity_);
     place_pins(model_, end_time, state.position, velocity_);
     std::swap(state.velocity, velocity_);
@@ -67,7 +68,7 @@ class VerletStepper final : public FileOrderStepper {
       report.status = StepStatus::not_finite;
       return report;
     }
-    beside_.keep(state);
+    limits_and_contacts_.keep(state);
     joints_.keep(start_, state);
     const double kicked_for = state.unanswered_kick + 0.5 * h;
     for (std::size_t i = 0; i < moved_.size(); ++i)
@@ -94,7 +95,7 @@ class VerletStepper final : public FileOrderStepper {
 
   const Model& model_;
   int passes_;
-  BesideLinks beside_;
+  LimitsAndContacts limits_and_contacts_;
   JointResistance joints_;
   OrderedLinks order_;
   Vectors start_, velocity_;
@@ -111,8 +112,9 @@ std::unique_ptr<Stepper> make(const Model& model, const Settings& settings, cons
 
 Method verlet_method() {
   Capabilities can;
+  can.keeps = {Keeping::kept, Keeping::lost_with_step, Keeping::lost_with_step};
   can.half_kicked = true;
-  can.plane = true;
+  can.ground = true;
   can.limits = true;
   can.colliders = true;
   can.break_stretch = true;

@@ -71,7 +71,7 @@ class XpbdStepper final : public FileOrderStepper {
   XpbdStepper(const Model& model, int passes)
       : model_(model),
         passes_(passes),
-        beside_(model),
+        limits_and_contacts_(model),
         joints_(model),
         equal_weight_(common_weight(model)),
         equal_inverse_weight_(0.5 / equal_weight_) {}
@@ -123,16 +123,16 @@ class XpbdStepper final : public FileOrderStepper {
     drift(h, start_, velocity_, state.position);
     place_pins(model_, end_time, state.position, velocity_);
     multipliers_.assign(links_.size(), 0.0);
-    beside_.begin_step(start_, state);
+    limits_and_contacts_.begin_step(start_, state);
     for (int pass = 0; pass < passes_; ++pass) {
       solve_all(state.position, h);
-      beside_.solve(h, 1.0 / (1.0 + h * model_.drag), state.position);
+      limits_and_contacts_.solve(h, 1.0 / (1.0 + h * model_.drag), state.position);
     }
     StepReport report;
     report.rounds = passes_;
-    report.link_solves = (static_cast<std::int64_t>(links_.size()) + beside_.size()) * passes_;
+    report.link_solves = (static_cast<std::int64_t>(links_.size()) + limits_and_contacts_.size()) * passes_;
     difference_quotient(h, start_, state.position, velocity_);
-    beside_.rebound(h, velocity_);
+    limits_and_contacts_.rebound(h, velocity_);
     place_pins(model_, end_time, state.position, velocity_);
     std::swap(state.velocity, velocity_);
     state.time = end_time;
@@ -143,7 +143,7 @@ class XpbdStepper final : public FileOrderStepper {
       report.status = StepStatus::not_finite;
       return report;
     }
-    beside_.keep(state);
+    limits_and_contacts_.keep(state);
     joints_.keep(start_, state);
     for (std::size_t i = 0; i < links_.size(); ++i) state.tension[links_[i]] = -multipliers_[i] / (h * h);
     return report;
@@ -235,7 +235,7 @@ class XpbdStepper final : public FileOrderStepper {
 
   const Model& model_;
   int passes_;
-  BesideLinks beside_;
+  LimitsAndContacts limits_and_contacts_;
   JointResistance joints_;
   double equal_weight_, equal_inverse_weight_;  // w of all free masses, 1/(2 w); −1 where they differ
   std::vector<PlainLink> plain_;                // colour by colour
@@ -263,8 +263,8 @@ std::unique_ptr<Stepper> make(const Model& model, const Settings& settings, cons
 }
 
 std::string refusal(const Model& model, const State&, const Settings& settings) {
-  const bool more = !model.limits.empty() || !model.colliders.empty() || !model.contacts.empty() ||
-                    !model.joints.empty() || model.wind;
+  const bool more =
+      !model.limits.empty() || !touches_only_ground(model) || !model.joints.empty() || model.wind;
   if (settings.choice("precision") != "single" || !more) return {};
   return "method xpbd in single precision knows no limits on angles, no joints that resist, no solids but "
          "the "
@@ -275,8 +275,9 @@ std::string refusal(const Model& model, const State&, const Settings& settings) 
 
 Method xpbd_method() {
   Capabilities can;
+  can.keeps = {Keeping::kept, Keeping::lost_with_step, Keeping::lost_with_step};
   can.stiffness = true;
-  can.plane = true;
+  can.ground = true;
   can.limits = true;
   can.colliders = true;
   can.break_stretch = true;

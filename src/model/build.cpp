@@ -38,6 +38,7 @@ void add_links(Builder& builder, const std::vector<LinkSpec>& specs, const Masse
                std::vector<Problem>& problems) {
   for (std::size_t i = 0; i < specs.size(); ++i) {
     const LinkSpec& spec = specs[i];
+    builder.begin_entry("link", i);
     const auto report = [&](std::string key, std::string message, std::string suggestion = "") {
       problems.push_back({"link", i, std::move(key), std::move(message), std::move(suggestion)});
     };
@@ -113,10 +114,18 @@ Built build(const Description& description) {
   Builder builder;
   builder.model.gravity = description.gravity;
   builder.model.drag = description.drag;
-  for (const ChainSpec& chain : description.chains) add_chain(builder, chain);
-  for (const SheetSpec& sheet : description.sheets) add_sheet(builder, sheet);
-  for (std::size_t i = 0; i < description.ragdolls.size(); ++i)
+  for (std::size_t i = 0; i < description.chains.size(); ++i) {
+    builder.begin_entry("chain", i);
+    add_chain(builder, description.chains[i]);
+  }
+  for (std::size_t i = 0; i < description.sheets.size(); ++i) {
+    builder.begin_entry("sheet", i);
+    add_sheet(builder, description.sheets[i]);
+  }
+  for (std::size_t i = 0; i < description.ragdolls.size(); ++i) {
+    builder.begin_entry("ragdoll", i);
     add_ragdoll(builder, description.ragdolls[i], i, built.problems);
+  }
   add_masses(builder, description.masses);
   add_solids(builder, description);
   MassesByName by_name;
@@ -125,7 +134,9 @@ Built build(const Description& description) {
   add_links(builder, description.links, by_name, built.problems);
   add_loads(builder.model, description.loads, built.problems);
   add_limits(builder, description, by_name, built.problems);
-  if (description.wind.velocity != Vec3::Zero()) builder.model.wind = wind_of(description.wind);
+  if (description.wind && description.wind->density * description.wind->drag_coefficient > 0.0)
+    builder.model.wind = wind_of(*description.wind);
+  if (built.problems.empty()) built.notes = find_notes(description, builder);
   built.model = std::move(builder.model);
   built.start = std::move(builder.start);
   return built;

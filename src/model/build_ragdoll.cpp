@@ -92,7 +92,7 @@ class RagdollBuilder {
     ragdoll.bone_count = static_cast<Index>(model.bones.size()) - ragdoll.first_bone;
     ragdoll.limit_count = static_cast<Index>(model.limits.size()) - ragdoll.first_limit;
     model.ragdolls.push_back(std::move(ragdoll));
-    builder_.start.holds.joints.resize(model.joints.size(), Vec3::Zero());
+    builder_.start.static_friction.joints.resize(model.joints.size(), Vec3::Zero());
   }
 
  private:

@@ -25,15 +25,6 @@ void add_colliders(Model& model, const std::vector<Spec>& specs) {
   for (const Spec& spec : specs) model.colliders.push_back({shape_of(spec), spec.friction, spec.restitution});
 }
 
-// Whether points on one plane that gives nothing back are all there is.
-bool plane_is_enough(const Builder& builder, const Description& description) {
-  const std::vector<double>& radius = builder.model.masses.radius;
-  return description.spheres.empty() && description.capsules.empty() && description.boxes.empty() &&
-         description.planes.size() <= 1 && builder.model.bones.empty() && !builder.any_body() &&
-         std::all_of(radius.begin(), radius.end(), [](double r) { return r == 0.0; }) &&
-         (description.planes.empty() || description.planes.front().restitution == 0.0);
-}
-
 ContactPoint ball_on(Index mass, double radius, Index body) {
   return {{mass, mass, mass, mass}, {1.0, 0.0, 0.0, 0.0}, radius, body, false};
 }
@@ -59,7 +50,7 @@ void add_bone_contacts(Builder& builder, const Bone& bone, Index body) {
   for (int i = 0; i <= pieces; ++i) {
     const double share = pieces == 0 ? 0.0 : static_cast<double>(i) / pieces;
     ContactPoint point = ball_on(bone.from[0], bone.radius, body);
-    point.holds = true;
+    point.static_friction = true;
     point.weights[0] = 0.0;
     for (const Index end : bone.from) add_weight(point, end, 0.5 * (1.0 - share));
     for (const Index end : bone.to) add_weight(point, end, 0.5 * share);
@@ -90,12 +81,6 @@ Eigen::Matrix3d turned(const Vec3& degrees) {
 }
 
 void add_solids(Builder& builder, const Description& description) {
-  if (plane_is_enough(builder, description)) {
-    if (description.planes.empty()) return;
-    const PlaneSpec& plane = description.planes.front();
-    builder.model.plane = Plane{plane.point, plane.normal.normalized(), plane.friction};
-    return;
-  }
   add_colliders(builder.model, description.planes);
   add_colliders(builder.model, description.spheres);
   add_colliders(builder.model, description.capsules);

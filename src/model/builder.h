@@ -14,6 +14,10 @@ class Builder {
  public:
   /// What is added from now on is a body of its own, which touches other bodies or none.
   void begin_body(bool collides) { body_ = collides ? bodies_++ : no_body; }
+  /// Links that are added from now on come from this entry of this section.
+  void begin_entry(std::string_view section, std::size_t index) {
+    entries.push_back({section, index, static_cast<Index>(model.links.size())});
+  }
   /// Adds a mass and returns its index. Its radius is that of contact (m).
   Index add_mass(std::string name, const Vec3& position, const Vec3& velocity, double mass, bool pinned,
                  double radius = 0.0);
@@ -30,6 +34,14 @@ class Builder {
   Model model;
   State start;
   std::vector<Index> body_of_mass, body_of_bone;
+
+  /// An entry of a description and the first of its links, which reach to the first one of the next entry.
+  struct Entry {
+    std::string_view section;
+    std::size_t index;
+    Index first_link;
+  };
+  std::vector<Entry> entries;
 
  private:
   Index body_ = no_body, bodies_ = 0;
@@ -71,5 +83,9 @@ Counts count(const ChainSpec& spec);
 
 /// Everything wrong with a description that shows without building it: numbers, names and counts.
 std::vector<Problem> find_problems(const Description& description);
+
+/// What a sound description allows though it is seldom meant: rigid links that don't start with their length,
+/// that reach from pin to pin without slack, or that break by stretch.
+std::vector<Problem> find_notes(const Description& description, const Builder& builder);
 
 }  // namespace taut

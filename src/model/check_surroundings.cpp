@@ -55,7 +55,7 @@ void check_surroundings(Checker& check, const Description& description) {
   check_each(check, "sphere", description.spheres, check_sphere);
   check_each(check, "capsule", description.capsules, check_capsule);
   check_each(check, "box", description.boxes, check_box);
-  check_wind(check, description.wind);
+  if (description.wind) check_wind(check, *description.wind);
 }
 
 }  // namespace taut

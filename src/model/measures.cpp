@@ -85,6 +85,17 @@ Vec3 centre_of_mass(const Model& model, const State& state) {
   return mass > 0.0 ? Vec3(sum / mass) : sum;
 }
 
+Vec3 spin(const Model& model, const State& state) {
+  return angular_momentum(model, state) - centre_of_mass(model, state).cross(linear_momentum(model, state));
+}
+
+bool flies_freely(const Model& model) {
+  for (std::size_t i = 0; i < model.links.size(); ++i)
+    if (model.masses.pinned(model.links.a[i]) || model.masses.pinned(model.links.b[i])) return false;
+  return free_mass(model) > 0.0 && model.contacts.empty() && model.drag == 0.0 && model.loads.empty() &&
+         !model.wind;
+}
+
 Vec3 up_direction(const Model& model) {
   const bool weightless = model.gravity.isZero(0.0);
   return weightless ? Vec3(Vec3::UnitY()) : Vec3(-model.gravity.stableNormalized());
@@ -125,9 +136,6 @@ double deepest_penetration(const Model& model, const State& state) {
     for (const Collider& collider : model.colliders)
       deepest = std::max(deepest, point.radius - nearest_surface(collider.shape, place).distance);
   }
-  if (model.plane)
-    for (std::size_t i = 0; i < model.masses.size(); ++i)
-      deepest = std::max(deepest, (model.plane->point - state.position.at(i)).dot(model.plane->normal));
   return deepest;
 }
 

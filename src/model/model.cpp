@@ -24,6 +24,18 @@ std::vector<bool> in_ragdoll(const Model& model) {
   return inside;
 }
 
+bool is_plain(const ContactPoint& point) {
+  return point.weights[0] == 1.0 && point.body == no_body && !point.static_friction;
+}
+
+const HalfSpace* as_ground(const Collider& collider) {
+  return collider.restitution == 0.0 ? std::get_if<HalfSpace>(&collider.shape) : nullptr;
+}
+
+bool touches_only_ground(const Model& model) {
+  return std::ranges::all_of(model.colliders, as_ground) && std::ranges::all_of(model.contacts, is_plain);
+}
+
 std::vector<Index> solvable_links(const Model& model) {
   std::vector<Index> links;
   for (std::size_t i = 0; i < model.links.size(); ++i)

@@ -82,16 +82,34 @@ std::string loads_extent(const Model& model) {
 }
 
 std::string ground_extent(const Model& model) {
-  return model.plane ? fmt::format("a plane, friction {:.4g}", model.plane->friction) : "";
+  const auto planes = std::ranges::count_if(model.colliders, as_ground);
+  if (planes == 0) return "";
+  if (planes > 1) return fmt::format("{} planes", planes);
+  return fmt::format("a plane, friction {:.4g}", std::ranges::find_if(model.colliders, as_ground)->friction);
+}
+
+// Where there is nothing left to touch, nothing touches.
+void forget_idle_contacts(Model& model) {
+  const bool bodies =
+      std::ranges::any_of(model.contacts, [](const ContactPoint& point) { return point.body != no_body; });
+  if (model.colliders.empty() && !bodies) model.contacts.clear();
+}
+
+void remove_ground(Model& model) {
+  std::erase_if(model.colliders, as_ground);
+  forget_idle_contacts(model);
 }
 
 std::string solids_extent(const Model& model) {
-  return counted(model.contacts.size(), "point that touches", "points that touch");
+  return touches_only_ground(model)
+             ? ""
+             : counted(model.contacts.size(), "point that touches", "points that touch");
 }
 
 void remove_solids(Model& model) {
-  model.colliders.clear();
-  model.contacts.clear();
+  std::erase_if(model.colliders, [](const Collider& collider) { return as_ground(collider) == nullptr; });
+  std::erase_if(model.contacts, [](const ContactPoint& point) { return !is_plain(point); });
+  forget_idle_contacts(model);
 }
 
 std::string limits_extent(const Model& model) {
@@ -103,7 +121,9 @@ std::string joints_extent(const Model& model) {
 }
 
 std::string wind_extent(const Model& model) {
-  return model.wind ? fmt::format("{:.4g} m/s", model.wind->velocity.norm()) : "";
+  if (!model.wind) return "";
+  const double speed = model.wind->velocity.norm();
+  return speed == 0.0 ? "still air" : fmt::format("{:.4g} m/s", speed);
 }
 
 constexpr std::array parts{
@@ -114,7 +134,7 @@ constexpr std::array parts{
     Part{"drag", drag_extent, [](Model& model) { model.drag = 0.0; }},
     Part{"loads", loads_extent, [](Model& model) { model.loads.clear(); }},
     Part{"driven pins", pins_extent, [](Model& model) { model.driven_pins.clear(); }},
-    Part{"ground", ground_extent, [](Model& model) { model.plane.reset(); }},
+    Part{"ground", ground_extent, remove_ground},
     Part{"solids", solids_extent, remove_solids},
     Part{"limits", limits_extent, [](Model& model) { model.limits.clear(); }},
     Part{"joints", joints_extent, [](Model& model) { model.joints.clear(); }},
@@ -153,13 +173,18 @@ bool stays_in_plane(const Model& model, const State& start) {
   const bool at_rest_in_it =
       std::all_of(z.begin(), z.end(), [&](double value) { return value == z.front(); }) &&
       std::all_of(start.velocity.z.begin(), start.velocity.z.end(), zero);
-  const bool pulled_along_it = zero(model.gravity.z()) && (!model.plane || zero(model.plane->normal.z())) &&
+  const bool pulled_along_it = zero(model.gravity.z()) &&
+                               std::all_of(model.colliders.begin(), model.colliders.end(),
+                                           [&](const Collider& collider) {
+                                             const HalfSpace* ground = as_ground(collider);
+                                             return ground && zero(ground->normal.z());
+                                           }) &&
                                std::all_of(model.loads.begin(), model.loads.end(),
                                            [&](const Load& load) { return zero(load.force.z()); }) &&
                                std::all_of(model.driven_pins.begin(), model.driven_pins.end(),
                                            [](const DrivenPin& pin) { return stays_flat(pin.motion); });
-  // A limb that is straight may be pushed any way across it, and solids have any shape.
-  const bool nothing_round = model.limits.empty() && model.contacts.empty() && !model.wind;
+  // A limb that is straight may be pushed any way across it, and what touches may be round.
+  const bool nothing_round = model.limits.empty() && touches_only_ground(model) && !model.wind;
   return at_rest_in_it && pulled_along_it && nothing_round;
 }
 

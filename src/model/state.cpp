@@ -26,12 +26,12 @@ std::uint64_t state_hash(const State& state) {
   for (const Vectors* vectors : {&state.position, &state.velocity})
     for (const auto* axis : {&vectors->x, &vectors->y, &vectors->z}) hash.add(std::span<const double>(*axis));
   hash.add(std::span<const double>(state.broken_at));
-  for (const std::vector<Grip>* grips : {&state.holds.solids, &state.holds.bodies})
-    for (const Grip& grip : *grips)
-      hash.add(std::as_bytes(std::span(&grip.a, 1)))
-          .add(std::as_bytes(std::span(&grip.b, 1)))
-          .add(std::span(grip.slip.data(), 3));
-  for (const Vec3& slip : state.holds.joints) hash.add(std::span(slip.data(), 3));
+  for (const std::vector<ContactSlip>* slips : {&state.static_friction.solids, &state.static_friction.bodies})
+    for (const ContactSlip& contact : *slips)
+      hash.add(std::as_bytes(std::span(&contact.a, 1)))
+          .add(std::as_bytes(std::span(&contact.b, 1)))
+          .add(std::span(contact.slip.data(), 3));
+  for (const Vec3& slip : state.static_friction.joints) hash.add(std::span(slip.data(), 3));
   return hash.value();
 }
 

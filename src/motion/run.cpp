@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::int64_t steps_between_looks = 16;
 constexpr double least_part = 1e-4;  // of a step, that is worth one of its own
-constexpr int most_cuts = 32;  // of a step; what breaks beyond that does so at its end
+constexpr int most_cuts = 32;        // of a step; what breaks beyond that does so at its end
 
 const Method& willing_method(const Model& model, const State& start, const Settings& settings) {
   const std::vector<std::string> problems = refusals(model, start, settings);

@@ -23,9 +23,9 @@ void for_each_part(Saved& saved, const Pass& pass) {
   pass(saved.state.broken_at);
   pass(saved.state.unanswered_kick);
   pass(saved.state.tension_before);
-  pass(saved.state.holds.solids);
-  pass(saved.state.holds.bodies);
-  pass(saved.state.holds.joints);
+  pass(saved.state.static_friction.solids);
+  pass(saved.state.static_friction.bodies);
+  pass(saved.state.static_friction.joints);
   pass(saved.report);
   pass(saved.work);
 }
@@ -94,7 +94,7 @@ RunState run_state_from(std::string_view bytes, const Model& model) {
                     state.velocity.y.size() == masses && state.velocity.z.size() == masses &&
                     state.tension.size() == links && state.broken_at.size() == links &&
                     (state.tension_before.empty() || state.tension_before.size() == links) &&
-                    state.holds.joints.size() == model.joints.size();
+                    state.static_friction.joints.size() == model.joints.size();
   if (!fits || reader.left() != 0) throw BadRequest("the saved state of a run is of another scene");
   return saved;
 }

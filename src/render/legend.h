@@ -2,8 +2,8 @@
 
 #include "base/image.h"
 #include "colour_scale.h"
-#include "view/view.h"
 #include "render/text.h"
+#include "view/view.h"
 
 namespace taut {
 

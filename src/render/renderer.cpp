@@ -1,5 +1,6 @@
 #include "render/renderer.h"
 
+#include <algorithm>
 #include <array>
 
 #include "base/failure.h"
@@ -17,6 +18,10 @@ namespace {
 // Every fourth grid line is a strong one; see shaders/ground.frag.
 constexpr float lines_a_period = 4.0F;
 
+bool is_drawn(const Collider& collider) {
+  return !std::holds_alternative<HalfSpace>(collider.shape);
+}
+
 }  // namespace
 
 /// The OpenGL side of a Renderer. Every call, the destructor's too, needs the context to be current.
@@ -30,8 +35,8 @@ class Renderer::Drawing {
   bool casts_shadows() const { return look_.shadows && settings_.shadow_map_size > 0; }
   bool draws_boxes() const { return look_.masses && look_.mass_shape == MassShape::box; }
   bool draws_solids() const {
-    return (look_.bones && !model_.bones.empty()) || (look_.colliders && !model_.colliders.empty()) ||
-           draws_boxes();
+    return (look_.bones && !model_.bones.empty()) ||
+           (look_.colliders && std::ranges::any_of(model_.colliders, is_drawn)) || draws_boxes();
   }
   bool draws_surface() const { return look_.surface && !model_.triangles.empty(); }
   void upload(const State& seen, const Quantity& quantity, const ColourScale& scale);

@@ -11,8 +11,8 @@
 
 #include "document.h"
 #include "model/description.h"
-#include "view/view.h"
 #include "reader.h"
+#include "view/view.h"
 
 namespace taut {
 

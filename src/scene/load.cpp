@@ -85,6 +85,14 @@ void report_problems(const Node& document, const std::vector<Problem>& problems,
       reader.plain(origin_of(document, problem), problem.message, did_you_mean(problem.suggestion));
 }
 
+// The line of a note names its place as an error does.
+void keep_notes(const Node& document, const std::vector<Problem>& notes, const Reader& reader, Scene& scene) {
+  for (const Problem& note : notes) {
+    const Diagnostic where = reader.located(origin_of(document, note), "note: " + note.message);
+    scene.notes.push_back(one_line(where));
+  }
+}
+
 void check_camera(const Node& document, const Camera& camera, Reader& reader) {
   if (camera.eye == camera.target)
     reader.plain(origin_of(document, {"camera", 0, "eye", {}, {}}),
@@ -114,6 +122,7 @@ void build_scene(const Node& document, Scene& scene, Reader& reader) {
   scene.start = std::move(built.start);
   if (scene.model.masses.size() == 0)
     reader.plain({}, "the scene has no masses: it needs a [[chain]], a [[sheet]] or a [[mass]]");
+  keep_notes(document, built.notes, reader, scene);
   check_follow(document, scene, reader);
   scene.settings = complete_settings(scene.settings);
   for (const std::string& problem : capability_problems(scene.model, *find_method(scene.settings.method)))

@@ -26,15 +26,18 @@ std::string Reader::home_hint(std::string_view key) const {
   return labels.empty() ? labels : fmt::format("{} is a key of {}", in_quotes(key), labels);
 }
 
+Diagnostic Reader::located(const Origin& origin, std::string message, std::string hint) const {
+  const bool in_file = origin.change < 0;
+  return {in_file ? file_ : changes_[static_cast<std::size_t>(origin.change)], in_file ? origin.line : 0,
+          in_file ? origin.column : 0, std::move(message), std::move(hint)};
+}
+
 void Reader::plain(const Origin& origin, std::string message, std::string hint) {
   if (diagnostics_.size() == most_kept) {
     ++left_out_;
     return;
   }
-  const bool in_file = origin.change < 0;
-  diagnostics_.push_back({in_file ? file_ : changes_[static_cast<std::size_t>(origin.change)],
-                          in_file ? origin.line : 0, in_file ? origin.column : 0, std::move(message),
-                          std::move(hint)});
+  diagnostics_.push_back(located(origin, std::move(message), std::move(hint)));
 }
 
 void Reader::bad_value(const Origin& origin, std::string message, std::string hint) {

@@ -39,6 +39,9 @@ class Reader {
   /// Something that no entry is to blame for.
   void plain(const Origin& origin, std::string message, std::string hint = {});
 
+  /// A diagnostic of that place, not collected.
+  Diagnostic located(const Origin& origin, std::string message, std::string hint = {}) const;
+
   /// True when a problem found in what was read is already reported, or follows from something reported.
   bool follows_from_reported(const Problem& problem) const;
 

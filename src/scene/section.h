@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -45,6 +46,22 @@ Section single_section(std::string name, std::string help, Keys<T> keys, Access 
   };
   section.write = [label, keys, access](const Scene& scene) {
     return label + "\n" + write_lines(keys, std::invoke(access, scene));
+  };
+  return section;
+}
+
+/// A section that occurs once or not at all, stored in the std::optional that `access` gives of a Scene.
+template <class T, class Access>
+Section optional_section(std::string name, std::string help, Keys<T> keys, Access access) {
+  Section section{std::move(name), false, std::move(help), {{"", infos(keys)}}, {}, {}};
+  const std::string id = section.name, label = section.label();
+  section.read = [id, label, keys, access](const Node& node, Scene& scene, Reader& reader) {
+    reader.begin_entry(id, 0);
+    read_table(node, keys, label, TableKind::entry, std::invoke(access, scene).emplace(), reader);
+  };
+  section.write = [label, keys, access](const Scene& scene) {
+    const std::optional<T>& entry = std::invoke(access, scene);
+    return entry ? label + "\n" + write_lines(keys, *entry) : std::string();
   };
   return section;
 }

@@ -57,16 +57,17 @@ Keys<BoxSpec> box_keys() {
 
 Keys<WindSpec> wind_keys() {
   return {
-      key<WindSpec>(
-          "velocity", &WindSpec::velocity,
-          {.unit = "m/s", .range = between(-1000, 1000), .help = "of the air, without gusts; zero: no wind"}),
+      key<WindSpec>("velocity", &WindSpec::velocity,
+                    {.unit = "m/s",
+                     .range = between(-1000, 1000),
+                     .help = "of the air, without gusts; zero: still air, which slows what moves in it"}),
       key<WindSpec>("gust", &WindSpec::gust,
                     {.range = between(0, 10), .help = "how far gusts reach, as a share of the velocity"}),
       key<WindSpec>("gust_time", &WindSpec::gust_time,
                     {.unit = "s", .range = above_to(0, far), .help = "from one gust to the next"}),
       key<WindSpec>("seed", &WindSpec::seed, {.range = between(0, 1e9), .help = "which gusts"}),
       key<WindSpec>("density", &WindSpec::density,
-                    {.unit = "kg/m³", .range = between(0, 1e4), .help = "of the air"}),
+                    {.unit = "kg/m³", .range = between(0, 1e4), .help = "of the air; zero: a vacuum"}),
       key<WindSpec>("drag_coefficient", &WindSpec::drag_coefficient,
                     {.range = between(0, 100), .help = "of a triangle that faces the wind"}),
   };
@@ -84,8 +85,8 @@ std::vector<Section> surroundings_sections() {
                                     capsule_keys(), description_of(&Description::capsules)),
       repeated_section<BoxSpec>("box", "A box that no mass can enter; several make a stair.", box_keys(),
                                 description_of(&Description::boxes)),
-      single_section<WindSpec>("wind", "Air that blows on both sides of sheets.", wind_keys(),
-                               description_of(&Description::wind)),
+      optional_section<WindSpec>("wind", "Air that blows on both sides of sheets; left out: a vacuum.",
+                                 wind_keys(), description_of(&Description::wind)),
   };
 }
 

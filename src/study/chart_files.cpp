@@ -123,9 +123,8 @@ std::string diverged_note(const Chart& chart) {
   parts.reserve(by_row.size());
   for (const auto& [row, rates] : by_row) {
     const MethodVariant& curve = chart.curves[row.first];
-    parts.push_back(
-        fmt::format("{} {}{}", curve.name, ranges_of(rates),
-                    row.second > 0 ? fmt::format(" × {}", curve.passes->value(row.second)) : ""));
+    parts.push_back(fmt::format("{} {}{}", curve.name, ranges_of(rates),
+                                row.second > 0 ? fmt::format(" × {}", curve.passes->value(row.second)) : ""));
   }
   return fmt::format("Diverged or refused (steps/s × passes): {}.", fmt::join(parts, "; "));
 }

@@ -4,10 +4,10 @@
 #include <chrono>
 
 #include "base/failure.h"
-#include "motion/run.h"
+#include "frames/simulation.h"
 #include "methods/registry.h"
 #include "model/parts.h"
-#include "frames/simulation.h"
+#include "motion/run.h"
 
 namespace taut {
 namespace {

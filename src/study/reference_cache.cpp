@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "base/hash.h"
+#include "host/build_info.h"
 #include "json_cache.h"
 #include "methods/registry.h"
-#include "host/build_info.h"
 #include "states_json.h"
 
 namespace taut {

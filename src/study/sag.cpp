@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "base/failure.h"
-#include "model/measures.h"
 #include "methods/registry.h"
+#include "model/measures.h"
 
 namespace taut {
 namespace {

@@ -5,10 +5,10 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "host/build_info.h"
 #include "output/atomic_file.h"
 #include "output/gnuplot.h"
 #include "output/png.h"
-#include "host/build_info.h"
 #include "study/sag_sheet.h"
 
 namespace taut {

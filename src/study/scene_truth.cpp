@@ -10,12 +10,12 @@
 
 #include "base/hash.h"
 #include "errors_json.h"
+#include "host/build_info.h"
 #include "json_cache.h"
 #include "measure/agreement.h"
-#include "measure/method_variants.h"
 #include "measure/events.h"
+#include "measure/method_variants.h"
 #include "model/measures.h"
-#include "host/build_info.h"
 #include "states_json.h"
 
 namespace taut {
@@ -103,7 +103,8 @@ constexpr double enough = 0.25;
 
 bool one_method_alone(const Model& model, const State& start) {
   const std::vector<MethodVariant> curves = variants_of(model, start).curves;
-  return std::ranges::all_of(curves, [&](const MethodVariant& curve) { return curve.method == curves[0].method; });
+  return std::ranges::all_of(curves,
+                             [&](const MethodVariant& curve) { return curve.method == curves[0].method; });
 }
 
 // The motion that two methods agree on, events and all, as finely as they do over a time of some use: first,

@@ -4,9 +4,9 @@
 
 #include <chrono>
 
+#include "host/pinned_thread.h"
 #include "measure/work_precision.h"
 #include "motion/simulate.h"
-#include "host/pinned_thread.h"
 
 namespace taut {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "methods/registry.h"
-#include "motion/run.h"
 #include "model/description.h"
+#include "motion/run.h"
 
 namespace taut::bench {
 

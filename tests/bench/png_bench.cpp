@@ -16,9 +16,9 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "output/png.h"
 #include "frames/painter.h"
 #include "frames/simulation.h"
+#include "output/png.h"
 #include "scene/scene.h"
 
 namespace {

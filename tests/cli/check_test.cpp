@@ -44,6 +44,38 @@ TEST_F(CheckTest, JsonHasAnObjectForEveryScene) {
   EXPECT_NE(verdicts[2]["problem"].get<std::string>().find("duratoin"), std::string::npos);
 }
 
+TEST_F(CheckTest, WhatIsSeldomMeantIsNotedAndNoError) {
+  const std::string taut_chain = folder_.write(
+      "tight.toml",
+      "[world]\nduration = 1\n[solve]\nmethod = \"xpbd\"\n[[chain]]\nname = \"rope\"\n"
+      "from = [0, 0, 0]\nto = [1, 0, 0]\nlinks = 4\nmass = 1\npinned = [\"first\", \"last\"]\n");
+  const Ran ran = taut({"check", taut_chain, "--json"});
+  EXPECT_EQ(ran.status, 0);
+  const Json notes = Json::parse(ran.out)[0]["notes"];
+  ASSERT_EQ(notes.size(), 1U);
+  const std::string note = notes[0].get<std::string>();
+  EXPECT_NE(note.find("tight.toml:5:1: note: "), std::string::npos) << note;
+  EXPECT_EQ(ran.err, "taut: " + note + "\n");
+  EXPECT_EQ(taut({"check", taut_chain, "--quiet"}).err, "");
+  const Ran exported = taut({"export", taut_chain, "--times", "0.1", "-o", folder_.path() / "tight.csv"});
+  EXPECT_EQ(exported.status, 0);
+  EXPECT_EQ(exported.err.find("taut: " + note + "\n"), 0U) << exported.err;
+}
+
+TEST_F(CheckTest, ARunTellsWhatIsLeftOfTheSpin) {
+  const std::string spinning =
+      folder_.write("spinning.toml",
+                    "[world]\ngravity = [0, 0, 0]\nduration = 1\n[solve]\nmethod = \"rattle\"\n"
+                    "[[mass]]\nname = \"a\"\nvelocity = [0, -3, 0]\nposition = [-0.5, 0, 0]\n"
+                    "[[mass]]\nname = \"b\"\nvelocity = [0, 3, 0]\nposition = [0.5, 0, 0]\n[[link]]\na = "
+                    "\"a\"\nb = \"b\"\n");
+  const Json verdicts = Json::parse(taut({"check", spinning, good_, "--run", "--json"}).out);
+  EXPECT_NEAR(verdicts[0]["spin"]["at_start"].get<double>(), 3.0, 1e-12);
+  EXPECT_NEAR(verdicts[0]["spin"]["at_end"].get<double>(), 3.0, 1e-10);
+  EXPECT_FALSE(verdicts[1].contains("spin")) << "a pin holds it";
+  EXPECT_NE(taut({"check", spinning, "--run"}).out.find(", 100 %"), std::string::npos);
+}
+
 TEST_F(CheckTest, TheResolvedSceneIsTheSameScene) {
   const Ran resolved = taut({"check", good_, "--resolved"});
   ASSERT_EQ(resolved.status, 0) << resolved.err;

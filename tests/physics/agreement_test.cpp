@@ -2,8 +2,8 @@
 
 #include "fixtures.h"
 #include "measure/exact.h"
-#include "model/measures.h"
 #include "measure/planner.h"
+#include "model/measures.h"
 
 namespace taut::test {
 namespace {

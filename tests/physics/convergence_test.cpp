@@ -125,8 +125,8 @@ TEST_P(MixedConvergence, OnADampedNetInTheWind) {
   sheet.pinned = {"left"};
   sheet.diagonals = LinkProperties{40.0, 0.8, {}, {}};
   description.sheets = {sheet};
-  description.wind.velocity = {1.0, 0.0, 4.0};
-  description.wind.gust = 0.4;
+  description.wind.emplace().velocity = {1.0, 0.0, 4.0};
+  description.wind->gust = 0.4;
   const Built built = build_valid(description);
   const auto reference = integrate_explicitly(built.model, built.start, {0.3}, 1e-11);
   ASSERT_EQ(reference.size(), 1U);

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "methods/registry.h"
-#include "motion/simulate.h"
 #include "model/description.h"
+#include "motion/simulate.h"
 
 namespace taut::test {
 

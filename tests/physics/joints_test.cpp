@@ -41,7 +41,7 @@ Built limb(double damping, double friction, double rate, const Vec3& gravity = V
     for (std::size_t b = 0; b < a; ++b) description.links.push_back({corners[a], corners[b], {}, {}});
   Built built = build_valid(description);
   built.model.joints = {{JointKind::hinge, {0, 1, hand, 2, 3}, damping, friction}};
-  built.start.holds.joints.resize(1, Vec3::Zero());
+  built.start.static_friction.joints.resize(1, Vec3::Zero());
   return built;
 }
 

@@ -1,8 +1,7 @@
-#include "motion/work_ledger.h"
-
 #include "fixtures.h"
 #include "model/measures.h"
 #include "motion/run.h"
+#include "motion/work_ledger.h"
 
 namespace taut::test {
 namespace {

@@ -24,7 +24,8 @@ TEST_P(PlaneMethods, BlockSlidesByTheLawOfFriction) {
   const State end = run(built, settings(GetParam(), 2400.0), 1.0);
   const double way = 0.5 * 9.81 * (0.5 - 0.2 * std::sqrt(0.75));
   EXPECT_NEAR(end.position.at(0).norm(), way, 0.01 * way);
-  EXPECT_NEAR(end.position.at(0).dot(built.model.plane->normal), 0.0, 1e-9);
+  EXPECT_NEAR(end.position.at(0).dot(std::get<HalfSpace>(built.model.colliders.at(0).shape).normal), 0.0,
+              1e-9);
 }
 
 TEST_P(PlaneMethods, BlockStaysWhereFrictionHoldsIt) {
@@ -43,9 +44,9 @@ TEST_P(PlaneMethods, NothingFallsThroughTheGround) {
   for (std::size_t i = 0; i < end.position.size(); ++i) EXPECT_NEAR(end.position.y[i], -0.5, 1e-3);
 }
 
-INSTANTIATE_TEST_SUITE_P(Registry, PlaneMethods,
-                         ::testing::ValuesIn(methods_that([](const Capabilities& can) { return can.plane; })),
-                         case_name);
+INSTANTIATE_TEST_SUITE_P(
+    Registry, PlaneMethods,
+    ::testing::ValuesIn(methods_that([](const Capabilities& can) { return can.ground; })), case_name);
 
 }  // namespace
 }  // namespace taut::test

@@ -3,9 +3,9 @@
 #include <filesystem>
 
 #include "fixtures.h"
-#include "model/measures.h"
-#include "model/anthropometry.h"
 #include "frames/simulation.h"
+#include "model/anthropometry.h"
+#include "model/measures.h"
 #include "scene/scene.h"
 
 namespace taut::test {
@@ -193,8 +193,8 @@ TEST(Ragdoll, ARunTakenUpAgainIsTheSameToTheLastBit) {
   Scene scene = load_scene(std::filesystem::path(TAUT_SCENE_FOLDER) / "ragdoll-pile.toml");
   Built built{scene.model, scene.start, {}};
   built.start = run(built, settings("xpbd", 2400.0, 2.0), 1.0);
-  EXPECT_FALSE(built.start.holds.bodies.empty());
-  EXPECT_FALSE(built.start.holds.solids.empty());
+  EXPECT_FALSE(built.start.static_friction.bodies.empty());
+  EXPECT_FALSE(built.start.static_friction.solids.empty());
   const State whole = run(built, settings("xpbd", 2400.0, 2.0), 0.25);
   built.start = run(built, settings("xpbd", 2400.0, 2.0), 0.125);
   EXPECT_EQ(state_hash(run(built, settings("xpbd", 2400.0, 2.0), 0.125)), state_hash(whole));

@@ -4,8 +4,8 @@
 #include "measure/events.h"
 #include "measure/exact.h"
 #include "measure/explicit_integrator.h"
-#include "model/measures.h"
 #include "methods/acceleration.h"
+#include "model/measures.h"
 
 namespace taut::test {
 namespace {

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <set>
 
-#include "measure/expectation.h"
 #include "frames/simulation.h"
+#include "measure/expectation.h"
 #include "scene/scene.h"
 
 namespace taut::test {

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "base/failure.h"
-#include "physics/fixtures.h"
 #include "frames/simulation.h"
+#include "physics/fixtures.h"
 
 namespace taut::test {
 namespace {

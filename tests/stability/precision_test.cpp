@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "base/failure.h"
-#include "model/measures.h"
 #include "measure/reference.h"
+#include "model/measures.h"
 #include "physics/fixtures.h"
 
 namespace taut::test {

@@ -1,8 +1,8 @@
 // What friction keeps from step to step.
 
-#include <gtest/gtest.h>
-
 #include "contact/friction.h"
+
+#include <gtest/gtest.h>
 
 namespace taut {
 namespace {
@@ -19,7 +19,7 @@ struct Slide {
 Slide after(int steps, double coefficient) {
   Slide slide{0.0, Vec3::Zero()};
   for (int step = 0; step < steps; ++step) {
-    Friction friction(slide.slip);
+    StickingFriction friction(slide.slip);
     Vec3 moved(h * slide.speed + h * h * along, -h * h * down, 0.0);
     moved += answered * friction.hold(coefficient, h * h * down, Vec3::UnitY(), moved);
     slide = {moved.x() / h, friction.slip(moved)};
@@ -29,21 +29,21 @@ Slide after(int steps, double coefficient) {
 
 // At rest the slip is what makes the corrections balance the pull. Forgotten, it would be a speed of
 // h · along · (1 − answered)/answered for ever.
-TEST(Friction, WhatItCanHoldComesToRestAndDoesNotCreep) {
+TEST(StickingFriction, WhatItCanHoldComesToRestAndDoesNotCreep) {
   const Slide held = after(1000, 0.8);
   EXPECT_LT(std::abs(held.speed), 1e-15);
   EXPECT_NEAR(held.slip.x(), h * h * along * (1.0 - answered) / answered, 1e-15);
   EXPECT_EQ(held.slip.y(), 0.0);
 }
 
-TEST(Friction, BeyondThatItTakesCoulombsShareAndNoMore) {
+TEST(StickingFriction, BeyondThatItTakesCoulombsShareAndNoMore) {
   const Slide sliding = after(1000, 0.3);
   EXPECT_NEAR(sliding.speed, 1.0 * (along - answered * 0.3 * down), 1e-9);
   EXPECT_NEAR(sliding.slip.norm(), 0.3 * h * h * down, 1e-15) << "as much as friction can hold";
 }
 
-TEST(Friction, TheSumOfAllPassesIsBoundedByTheSumOfAllPushes) {
-  Friction friction((Vec3::Zero()));
+TEST(StickingFriction, TheSumOfAllPassesIsBoundedByTheSumOfAllPushes) {
+  StickingFriction friction((Vec3::Zero()));
   Vec3 moved(1e-3, 0.0, 2e-3);
   const Vec3 first = friction.hold(0.5, 4e-4, Vec3::UnitY(), moved);
   EXPECT_NEAR(first.norm(), 0.5 * 4e-4, 1e-18);
@@ -52,9 +52,9 @@ TEST(Friction, TheSumOfAllPassesIsBoundedByTheSumOfAllPushes) {
   EXPECT_NEAR((first + second).norm(), 0.5 * 5e-4, 1e-18);
 }
 
-TEST(GripReader, FindsWhatWasKeptAndNothingElse) {
-  const std::vector<Grip> grips{{1, 4, Vec3::UnitX()}, {1, 7, Vec3::UnitY()}, {3, 0, Vec3::UnitZ()}};
-  GripReader reader(grips);
+TEST(ContactSlipReader, FindsWhatWasKeptAndNothingElse) {
+  const std::vector<ContactSlip> slips{{1, 4, Vec3::UnitX()}, {1, 7, Vec3::UnitY()}, {3, 0, Vec3::UnitZ()}};
+  ContactSlipReader reader(slips);
   EXPECT_EQ(reader.slip(0, 9), Vec3::Zero());
   EXPECT_EQ(reader.slip(1, 4), Vec3::UnitX());
   EXPECT_EQ(reader.slip(1, 5), Vec3::Zero());

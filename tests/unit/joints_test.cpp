@@ -81,7 +81,7 @@ TEST(JointResistance, TakesFromOnePartWhatItGivesToTheOther) {
         model.masses.inverse_mass.push_back(1.0 / model.masses.mass.back());
       }
       model.joints = {{kind, {0, 1, 2, 3, 4, 5}, 0.4, 0.3}};
-      state.holds.joints = {Vec3::Zero()};
+      state.static_friction.joints = {Vec3::Zero()};
       Vectors after = state.velocity;
       JointResistance(model).act(state, 0.01, 1.0, after);
       double changed = 0.0, energy = 0.0;

@@ -29,7 +29,8 @@ const std::map<std::string, std::set<std::string>> may_use{
     {"frames",
      {"base", "host", "view", "model", "methods", "motion", "measure", "scene", "render", "output"}},
     {"study",
-     {"base", "host", "view", "model", "methods", "motion", "measure", "scene", "render", "output", "frames"}},
+     {"base", "host", "view", "model", "methods", "motion", "measure", "scene", "render", "output",
+      "frames"}},
 };
 
 struct Include {

@@ -3,9 +3,9 @@
 #include <random>
 
 #include "direct/link_system.h"
+#include "forces/springs.h"
 #include "model/measures.h"
 #include "physics/fixtures.h"
-#include "forces/springs.h"
 
 namespace taut::test {
 namespace {
@@ -184,8 +184,7 @@ TEST(SpringImplicit, StepSolvesBackwardEuler) {
     const Built built = shaken_sheet(taut, springy(2.0));
     const double h = 1.0 / 50.0;
     State state = built.start;
-    const StepReport report =
-        simulate(built.model, state, settings("spring-implicit", 50.0), 1).counts;
+    const StepReport report = simulate(built.model, state, settings("spring-implicit", 50.0), 1).counts;
     ASSERT_EQ(report.status, StepStatus::done);
     EXPECT_EQ(report.halvings, 0);
     const Vectors forces = spring_forces(built, state.position, state.velocity);

@@ -115,7 +115,7 @@ std::vector<Mistake> mistakes_of_numbers() {
          d.boxes = {BoxSpec{Vec3::Zero(), Vec3(1.0, -1.0, 1.0), Vec3::Zero(), 0.5, 0.0}};
        },
        "box", "size", "above 0 m"},
-      {"wind_time", [](D& d) { d.wind.gust_time = 0.0; }, "wind", "gust_time", "above 0 s"},
+      {"wind_time", [](D& d) { d.wind.emplace().gust_time = 0.0; }, "wind", "gust_time", "above 0 s"},
       {"mass_radius", [](D& d) { d.masses[1].radius = -1.0; }, "mass", "radius", "0 m or more"},
   };
 }

@@ -220,12 +220,6 @@ void expect_same_model(const Model& a, const Model& b) {
     EXPECT_EQ(a.loads[i].from, b.loads[i].from);
     EXPECT_EQ(a.loads[i].to, b.loads[i].to);
   }
-  ASSERT_EQ(a.plane.has_value(), b.plane.has_value());
-  if (a.plane) {
-    EXPECT_EQ(a.plane->point, b.plane->point);
-    EXPECT_EQ(a.plane->normal, b.plane->normal);
-    EXPECT_EQ(a.plane->friction, b.plane->friction);
-  }
   ASSERT_EQ(a.limits.size(), b.limits.size());
   for (std::size_t i = 0; i < a.limits.size(); ++i) {
     EXPECT_EQ(a.limits[i].kind, b.limits[i].kind);

@@ -72,7 +72,7 @@ bool BodyContacts::moved_since_search(const Vectors& position) const {
   return false;
 }
 
-void BodyContacts::begin_step(const std::vector<Grip>& grips, const Vectors& start,
+void BodyContacts::begin_step(const std::vector<ContactSlip>& slips, const Vectors& start,
                               const Vectors& predicted) {
   start_ = &start;
   if (balls_.empty()) return;
@@ -85,8 +85,8 @@ void BodyContacts::begin_step(const std::vector<Grip>& grips, const Vectors& sta
     std::sort(pairs_.begin(), pairs_.end());
   }
   frictions_.clear();
-  if (!points_.any_holds()) return;
-  GripReader known(grips);
+  if (!points_.any_static_friction()) return;
+  ContactSlipReader known(slips);
   for (const auto& [a, b] : pairs_) frictions_.emplace_back(known.slip(a, b));
 }
 
@@ -105,20 +105,20 @@ void BodyContacts::solve(Vectors& position) {
                  overlap = points_.point(a).radius + points_.point(b).radius - distance;
     if (!(overlap > 0.0) || distance == 0.0 || weight_a + weight_b == 0.0) continue;
     const Vec3 normal = apart / distance, way = moved(a, b, position);
-    const bool holds = points_.point(a).holds && points_.point(b).holds;
-    const Vec3 held = holds ? frictions_[i].hold(friction, overlap, normal, way)
-                            : held_back(friction, overlap, normal, way);
+    const bool remembers = points_.point(a).static_friction && points_.point(b).static_friction;
+    const Vec3 held = remembers ? frictions_[i].hold(friction, overlap, normal, way)
+                                : coulomb_friction(friction, overlap, normal, way);
     const Vec3 change = overlap * normal + held;
     points_.move(a, weight_a / (weight_a + weight_b) * change, position);
     points_.move(b, -weight_b / (weight_a + weight_b) * change, position);
   }
 }
 
-void BodyContacts::keep(const Vectors& position, std::vector<Grip>& grips) const {
-  grips.clear();
+void BodyContacts::keep(const Vectors& position, std::vector<ContactSlip>& slips) const {
+  slips.clear();
   for (std::size_t i = 0; i < frictions_.size(); ++i) {
     const auto [a, b] = pairs_[i];
-    if (frictions_[i].touched()) grips.push_back({a, b, frictions_[i].slip(moved(a, b, position))});
+    if (frictions_[i].touched()) slips.push_back({a, b, frictions_[i].slip(moved(a, b, position))});
   }
 }
 

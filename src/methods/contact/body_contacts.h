@@ -16,16 +16,16 @@ class BodyContacts {
  public:
   explicit BodyContacts(const Model& model);
 
-  /// To be called once positions of the step have been predicted; `start` are those at its start, `grips`
-  /// what held there.
-  void begin_step(const std::vector<Grip>& grips, const Vectors& start, const Vectors& predicted);
+  /// To be called once positions of the step have been predicted; `start` are those at its start, `slips`
+  /// what contacts with static friction had slipped there.
+  void begin_step(const std::vector<ContactSlip>& slips, const Vectors& start, const Vectors& predicted);
 
   /// One pass over the pairs: pushes those that overlap apart, and takes from their sliding on one another
-  /// what Friction holds.
+  /// what friction allows.
   void solve(Vectors& position);
 
-  /// What holds at the end of the step.
-  void keep(const Vectors& position, std::vector<Grip>& grips) const;
+  /// How far contacts with static friction have slipped at the end of the step.
+  void keep(const Vectors& position, std::vector<ContactSlip>& slips) const;
 
  private:
   using Cell = std::array<std::int64_t, 3>;
@@ -49,7 +49,7 @@ class BodyContacts {
   Grid grid_;
   std::vector<Vec3> centres_;                                   // at the last search
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;  // of points
-  std::vector<Friction> frictions_;  // one a pair, of this step; none where nothing holds
+  std::vector<StickingFriction> frictions_;  // one a pair, of this step; none without static friction
   const Vectors* start_ = nullptr;
 };
 

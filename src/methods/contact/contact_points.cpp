@@ -8,7 +8,7 @@ ContactPoints::ContactPoints(const Model& model) : model_(model) {
     for (std::size_t k = 0; k < point.masses.size(); ++k)
       weight += model.masses.inverse_mass[point.masses[k]] * point.weights[k] * point.weights[k];
     weight_.push_back(weight);
-    any_holds_ = any_holds_ || point.holds;
+    any_static_friction_ = any_static_friction_ || point.static_friction;
   }
 }
 

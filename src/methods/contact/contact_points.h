@@ -16,7 +16,7 @@ class ContactPoints {
   const ContactPoint& point(std::uint32_t i) const { return model_.contacts[i]; }
 
   /// Whether any of them remembers where it sticks.
-  bool any_holds() const { return any_holds_; }
+  bool any_static_friction() const { return any_static_friction_; }
 
   /// How far a unit push moves the point: Σ wₖ sₖ² (1/kg) with the inverse masses wₖ and its weights sₖ on
   /// them; 0 when all its masses are pinned.
@@ -31,7 +31,7 @@ class ContactPoints {
  private:
   const Model& model_;
   std::vector<double> weight_;
-  bool any_holds_ = false;
+  bool any_static_friction_ = false;
 };
 
 }  // namespace taut

@@ -9,24 +9,32 @@ constexpr double margin = 0.02;  // m, that links may push something within a st
 
 }  // namespace
 
-ContactSolver::ContactSolver(const Model& model) : model_(model), points_(model) {}
+ContactSolver::ContactSolver(const Model& model) : model_(model), points_(model), ground_(model) {
+  if (touches_only_ground(model)) return;  // which is ground_'s
+  for (std::uint32_t i = 0; i < points_.size(); ++i) {
+    if (points_.weight(i) == 0.0) continue;
+    for (std::uint32_t j = 0; j < model.colliders.size(); ++j)
+      if (!is_plain(points_.point(i)) || as_ground(model.colliders[j]) == nullptr) pairs_.push_back({i, j});
+  }
+}
 
-void ContactSolver::begin_step(const std::vector<Grip>& grips, const Vectors& start, const Vectors& velocity,
-                               const Vectors& predicted) {
+void ContactSolver::begin_step(const std::vector<ContactSlip>& slips, const Vectors& start,
+                               const Vectors& velocity, const Vectors& predicted) {
   start_ = &start;
   start_velocity_ = &velocity;
   near_.clear();
   touches_.clear();
-  for (std::uint32_t i = 0; i < points_.size(); ++i) {
-    if (points_.weight(i) == 0.0) continue;
-    const Vec3 x = points_.value(i, predicted);
-    for (std::uint32_t j = 0; j < model_.colliders.size(); ++j)
-      if (nearest_surface(model_.colliders[j].shape, x).distance < points_.point(i).radius + margin)
-        near_.push_back({i, j});
+  for (std::size_t k = 0; k < pairs_.size();) {
+    const std::uint32_t point = pairs_[k].point;
+    const Vec3 x = points_.value(point, predicted);
+    for (; k < pairs_.size() && pairs_[k].point == point; ++k)
+      if (nearest_surface(model_.colliders[pairs_[k].collider].shape, x).distance <
+          points_.point(point).radius + margin)
+        near_.push_back(pairs_[k]);
   }
   frictions_.clear();
-  if (!points_.any_holds()) return;
-  GripReader known(grips);
+  if (!points_.any_static_friction()) return;
+  ContactSlipReader known(slips);
   for (const Pair& pair : near_) frictions_.emplace_back(known.slip(pair.point, pair.collider));
 }
 
@@ -45,21 +53,22 @@ void ContactSolver::solve(Vectors& position) {
     const double depth = points_.point(pair.point).radius - surface.distance;
     if (!(depth > 0.0)) continue;
     const Vec3 moved = x - points_.value(pair.point, *start_);
-    const Vec3 held = points_.point(pair.point).holds
+    const Vec3 held = points_.point(pair.point).static_friction
                           ? frictions_[i].hold(collider.friction, depth, surface.normal, moved)
-                          : held_back(collider.friction, depth, surface.normal, moved);
+                          : coulomb_friction(collider.friction, depth, surface.normal, moved);
     points_.move(pair.point, surface.normal * depth + held, position);
     if (collider.restitution > 0.0) touch(pair, surface.normal);
   }
+  ground_.solve(*start_, position);
 }
 
-void ContactSolver::keep(const Vectors& position, std::vector<Grip>& grips) const {
-  grips.clear();
+void ContactSolver::keep(const Vectors& position, std::vector<ContactSlip>& slips) const {
+  slips.clear();
   for (std::size_t i = 0; i < frictions_.size(); ++i) {
     const auto [point, collider] = near_[i];
     if (!frictions_[i].touched()) continue;
     const Vec3 moved = points_.value(point, position) - points_.value(point, *start_);
-    grips.push_back({point, collider, frictions_[i].slip(moved)});
+    slips.push_back({point, collider, frictions_[i].slip(moved)});
   }
 }
 

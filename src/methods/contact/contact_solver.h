@@ -5,6 +5,7 @@
 
 #include "contact/contact_points.h"
 #include "contact/friction.h"
+#include "contact/ground_contacts.h"
 
 namespace taut {
 
@@ -15,16 +16,16 @@ class ContactSolver {
   explicit ContactSolver(const Model& model);
 
   /// To be called once positions of the step have been predicted, with the positions and velocities at its
-  /// start and what held there: finds what may touch in this step.
-  void begin_step(const std::vector<Grip>& grips, const Vectors& start, const Vectors& velocity,
+  /// start and what contacts with static friction had slipped: finds what may touch in this step.
+  void begin_step(const std::vector<ContactSlip>& slips, const Vectors& start, const Vectors& velocity,
                   const Vectors& predicted);
 
   /// One pass: pushes what has entered a solid back to its surface, and takes from its way along the surface
-  /// what Friction holds.
+  /// what friction allows.
   void solve(Vectors& position);
 
-  /// What holds at the end of the step.
-  void keep(const Vectors& position, std::vector<Grip>& grips) const;
+  /// How far contacts with static friction have slipped at the end of the step.
+  void keep(const Vectors& position, std::vector<ContactSlip>& slips) const;
 
   /// Once velocities have been derived from positions: what has touched a solid that gives something back
   /// leaves it with that share of the speed at which it came (Müller et al., Detailed Rigid Body Simulation
@@ -51,9 +52,11 @@ class ContactSolver {
   ContactPoints points_;
   const Vectors* start_ = nullptr;
   const Vectors* start_velocity_ = nullptr;
-  std::vector<Pair> near_;           // that may touch
-  std::vector<Friction> frictions_;  // one for each of those; none where nothing holds
-  std::vector<Touch> touches_;       // only of colliders that give something back
+  GroundContacts ground_;                    // single masses on the ground …
+  std::vector<Pair> pairs_;                  // … and everything else that can ever touch, point by point
+  std::vector<Pair> near_;                   // that may touch in this step
+  std::vector<StickingFriction> frictions_;  // one for each of those; none without static friction
+  std::vector<Touch> touches_;               // only of colliders that give something back
 };
 
 }  // namespace taut

@@ -3,7 +3,7 @@
 //   ρ = largest eigenvalue of G W Gᵀ                    how far a unit impulse changes the rates
 //   s ← s, at most h τ' ρ/β, with τ' = h τ              how far friction has given way (rad)
 //   z = −(r + β s/h)/ρ                                  the impulse that would stop it, and take s back
-//   p = z min(1, (h c ρ|z| + τ')/((1 + h c ρ)|z|))      N m s
+//   p = (h c ρ z + z min(1, τ'/|z|))/(1 + h c ρ)        N m s
 //   v ← v + W Gᵀ p
 //   s ← s + G Δx                                        at the end of the step
 //
@@ -89,15 +89,14 @@ void JointResistance::act(const State& state, double h, double share, Vectors& v
     if (!(answer > 0.0)) continue;  // all its masses are pinned
     const double most = h * joint.friction;
     for (std::size_t k = 0; k < turn.angles.count; ++k)
-      turn.slip[static_cast<Eigen::Index>(k)] = state.holds.joints[i].dot(turn.angles.directions[k]);
+      turn.slip[static_cast<Eigen::Index>(k)] =
+          state.static_friction.joints[i].dot(turn.angles.directions[k]);
     turn.slip = no_longer_than(most * h * answer / taken_back, turn.slip);
     const Eigen::Vector2d rate =
         rates(turn.angles, turn.along, [&](Index mass) { return velocity.at(mass); });
     const Eigen::Vector2d stopping = -(rate + turn.slip * (taken_back / h)) / answer;
-    const double size = stopping.norm(), damped = h * joint.damping * answer;
-    turn.impulse = size > most
-                       ? Eigen::Vector2d(stopping * ((damped * size + most) / ((1.0 + damped) * size)))
-                       : stopping;
+    const double damped = h * joint.damping * answer;
+    turn.impulse = (damped * stopping + no_longer_than(most, stopping)) / (1.0 + damped);
     push(turn.angles, turn.along, inverse_mass, share * turn.impulse, velocity);
   }
 }
@@ -114,7 +113,8 @@ void JointResistance::keep(const Vectors& start, State& state) const {
     const Eigen::Vector2d slip = turn.slip + rates(turn.angles, turn.along, [&](Index mass) -> Vec3 {
                                    return state.position.at(mass) - start.at(mass);
                                  });
-    state.holds.joints[i] = slip[0] * turn.angles.directions[0] + slip[1] * turn.angles.directions[1];
+    state.static_friction.joints[i] =
+        slip[0] * turn.angles.directions[0] + slip[1] * turn.angles.directions[1];
   }
 }
 

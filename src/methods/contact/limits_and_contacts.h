@@ -2,25 +2,22 @@
 
 #include "contact/body_contacts.h"
 #include "contact/contact_solver.h"
-#include "forces/forces.h"
 #include "relax/limit_solver.h"
 
 namespace taut {
 
 /// What a relaxation method solves beside its links, the same for each of them: limits on angles, bodies that
 /// touch, solids, and the ground.
-class BesideLinks {
+class LimitsAndContacts {
  public:
-  explicit BesideLinks(const Model& model)
-      : model_(model), limits_(model), bodies_(model), contacts_(model) {}
+  explicit LimitsAndContacts(const Model& model) : limits_(model), bodies_(model), contacts_(model) {}
 
   /// To be called once positions of the step have been predicted, in place of those of the state; the
   /// positions at its start, which must stay where they are until keep().
   void begin_step(const Vectors& start, const State& predicted) {
-    start_ = &start;
     limits_.begin_step();
-    bodies_.begin_step(predicted.holds.bodies, start, predicted.position);
-    contacts_.begin_step(predicted.holds.solids, start, predicted.velocity, predicted.position);
+    bodies_.begin_step(predicted.static_friction.bodies, start, predicted.position);
+    contacts_.begin_step(predicted.static_friction.solids, start, predicted.velocity, predicted.position);
   }
 
   /// One pass, to follow that over the links. `answer` is what a mass moves by beside its inverse mass: 1/(1
@@ -29,7 +26,6 @@ class BesideLinks {
     limits_.solve(position, h, answer);
     bodies_.solve(position);
     contacts_.solve(position);
-    if (model_.plane) keep_out_of_plane(*model_.plane, model_.masses, *start_, position);
   }
 
   /// Once velocities have been derived from positions.
@@ -37,19 +33,17 @@ class BesideLinks {
 
   /// Once the step has been made.
   void keep(State& state) const {
-    bodies_.keep(state.position, state.holds.bodies);
-    contacts_.keep(state.position, state.holds.solids);
+    bodies_.keep(state.position, state.static_friction.bodies);
+    contacts_.keep(state.position, state.static_friction.solids);
   }
 
   /// Limits solved in a pass.
   std::int64_t size() const { return limits_.size(); }
 
  private:
-  const Model& model_;
   LimitSolver limits_;
   BodyContacts bodies_;
   ContactSolver contacts_;
-  const Vectors* start_ = nullptr;
 };
 
 }  // namespace taut

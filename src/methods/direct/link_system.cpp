@@ -32,6 +32,13 @@ void link_vectors(const SystemLinks& links, const Vectors& position, Vectors& di
   }
 }
 
+void along_links(const SystemLinks& links, const Vectors& columns, const Vectors& u,
+                 std::vector<double>& result) {
+  result.resize(links.size());
+  for (std::size_t i = 0; i < links.size(); ++i)
+    result[i] = columns.at(i).dot(u.at(links.a[i]) - u.at(links.b[i]));
+}
+
 void apply_impulses(const SystemLinks& links, const Vectors& columns, std::span<const double> strength,
                     Vectors& target) {
   for (std::size_t i = 0; i < links.size(); ++i) {

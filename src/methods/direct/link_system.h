@@ -27,6 +27,10 @@ SystemLinks gather(const Model& model, std::span<const Index> links);
 /// d = x_a − x_b of every link.
 void link_vectors(const SystemLinks& links, const Vectors& position, Vectors& difference);
 
+/// c·(u_a − u_b) of every link: C u.
+void along_links(const SystemLinks& links, const Vectors& columns, const Vectors& u,
+                 std::vector<double>& result);
+
 /// x_a += w_a s_i c_i and x_b −= w_b s_i c_i for every link i: adds W Cᵀ s.
 void apply_impulses(const SystemLinks& links, const Vectors& columns, std::span<const double> strength,
                     Vectors& target);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/vector_operations.h"
+
 namespace taut {
 namespace {
 
@@ -11,16 +13,6 @@ void kick_axis(const std::vector<double>& inverse_mass, double gain, double keep
                const std::vector<double>& velocity, std::vector<double>& kicked) {
   for (std::size_t i = 0; i < velocity.size(); ++i)
     kicked[i] = inverse_mass[i] == 0.0 ? velocity[i] : velocity[i] * keep + gain;
-}
-
-void drift_axis(double h, const std::vector<double>& position, const std::vector<double>& velocity,
-                std::vector<double>& moved) {
-  for (std::size_t i = 0; i < position.size(); ++i) moved[i] = position[i] + h * velocity[i];
-}
-
-void difference_axis(double rate, const std::vector<double>& from, const std::vector<double>& to,
-                     std::vector<double>& velocity) {
-  for (std::size_t i = 0; i < from.size(); ++i) velocity[i] = (to[i] - from[i]) * rate;
 }
 
 // The wind's push on a triangle.
@@ -91,29 +83,11 @@ void add_wind(const Model& model, const State& state, const Vectors& position, c
 }
 
 void drift(double h, const Vectors& position, const Vectors& velocity, Vectors& moved) {
-  drift_axis(h, position.x, velocity.x, moved.x);
-  drift_axis(h, position.y, velocity.y, moved.y);
-  drift_axis(h, position.z, velocity.z, moved.z);
+  add_scaled(position, h, velocity, moved);
 }
 
 void difference_quotient(double h, const Vectors& from, const Vectors& to, Vectors& velocity) {
-  difference_axis(1.0 / h, from.x, to.x, velocity.x);
-  difference_axis(1.0 / h, from.y, to.y, velocity.y);
-  difference_axis(1.0 / h, from.z, to.z, velocity.z);
-}
-
-void keep_out_of_plane(const Plane& plane, const Masses& masses, const Vectors& start, Vectors& position) {
-  for (std::size_t i = 0; i < position.size(); ++i) {
-    const Vec3 x = position.at(i);
-    const double depth = (plane.point - x).dot(plane.normal);
-    if (!(depth > 0.0) || masses.pinned(i)) continue;
-    const Vec3 moved = x - start.at(i);
-    const Vec3 slide = moved - plane.normal * moved.dot(plane.normal);
-    const double distance = slide.norm();
-    const double held = plane.friction * depth;
-    const double kept = distance > held ? 1.0 - held / distance : 0.0;
-    position.set(i, x + plane.normal * depth - slide * (1.0 - kept));
-  }
+  scaled_difference(1.0 / h, to, from, velocity);
 }
 
 }  // namespace taut

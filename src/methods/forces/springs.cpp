@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/vector_operations.h"
 #include "methods/frequency.h"
 
 namespace taut {
@@ -73,13 +74,10 @@ double highest_frequency(const Springs& springs, const Vectors& position) {
   std::vector<double> pull(springs.links.size());
   for (int round = 0; round < 3000; ++round) {
     Vectors next = still;
-    for (std::size_t i = 0; i < pull.size(); ++i)
-      pull[i] = springs.stiffness[i] *
-                direction.at(i).dot(mode.at(springs.links.a[i]) - mode.at(springs.links.b[i]));
+    along_links(springs.links, direction, mode, pull);
+    for (std::size_t i = 0; i < pull.size(); ++i) pull[i] *= springs.stiffness[i];
     apply_impulses(springs.links, direction, pull, next);
-    double size = 0.0;
-    for (std::size_t i = 0; i < next.size(); ++i) size += next.at(i).squaredNorm();
-    size = std::sqrt(size);
+    const double size = std::sqrt(squared_norm(next));
     if (size == 0.0) return 0.0;
     for (std::size_t i = 0; i < next.size(); ++i) next.set(i, next.at(i) / size);
     mode = std::move(next);

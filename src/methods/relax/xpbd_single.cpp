@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "contact/ground_contacts.h"
 #include "file_order_stepper.h"
 #include "forces/forces.h"
 #include "relax/link_order.h"
@@ -38,7 +39,7 @@ void widen(const std::vector<Vec3f>& from, Vectors& to) {
 
 class SingleXpbdStepper final : public FileOrderStepper {
  public:
-  SingleXpbdStepper(const Model& model, int passes) : model_(model), passes_(passes) {}
+  SingleXpbdStepper(const Model& model, int passes) : model_(model), passes_(passes), ground_(model) {}
 
  private:
   void links_changed(const State& state) override {
@@ -67,7 +68,7 @@ class SingleXpbdStepper final : public FileOrderStepper {
     multipliers_.assign(links_.size(), 0.0F);
     for (int pass = 0; pass < passes_; ++pass) {
       for (std::size_t i = 0; i < links_.size(); ++i) solve(i, step);
-      if (model_.plane) keep_out(state.position, next.position);
+      if (!ground_.empty()) keep_out(state.position, next.position);
     }
     widen(position_, next.position);
     for (std::size_t i = 0; i < position_.size(); ++i)
@@ -91,7 +92,7 @@ class SingleXpbdStepper final : public FileOrderStepper {
 
   void keep_out(const Vectors& start, Vectors& work) {
     widen(position_, work);
-    keep_out_of_plane(*model_.plane, model_.masses, start, work);
+    ground_.solve(start, work);
     position_ = rounded(work);
   }
 
@@ -115,6 +116,7 @@ class SingleXpbdStepper final : public FileOrderStepper {
 
   const Model& model_;
   int passes_;
+  GroundContacts ground_;
   std::vector<Index> index_;  // in the Model, of each link
   std::vector<SingleLink> links_;
   std::vector<Vec3f> start_, position_;

@@ -21,6 +21,9 @@ struct Diagnostic {
 /// colour the terminal are replaced, and long lines cut to what lies around the caret.
 std::string to_text(const Diagnostic& diagnostic, std::string_view text);
 
+/// One diagnostic as one line, `origin:line:column: message`, without the line of the text and the hint.
+std::string one_line(const Diagnostic& diagnostic);
+
 /// All of them, those with a line first, in the order of lines and columns. After `most` of them follows a
 /// count of the others and of `left_out` more that the caller did not keep.
 std::string to_text(std::vector<Diagnostic> diagnostics, std::string_view text, std::size_t most,

@@ -33,13 +33,27 @@ enum class StepLimit {
   kept_velocities,     ///< links don't stop what gravity adds to velocities: masses that hang gain (g t)²/2
 };
 
+/// What becomes of a quantity that nature keeps.
+enum class Keeping {
+  kept,            ///< momentum to rounding; energy without drift: it swings with the step and comes back
+  lost_with_step,  ///< a loss that is in proportion to the step
+  not_kept,        ///< changes whatever the step
+};
+
+/// What becomes of each in free flight, and of energy wherever nothing damps.
+struct Conservation {
+  Keeping linear_momentum = Keeping::kept;
+  Keeping angular_momentum = Keeping::kept;
+  Keeping energy = Keeping::kept;
+};
+
 /// What a method can do beyond rigid links under gravity.
 struct Capabilities {
   bool stiffness = false;  ///< links with stiffness and damping
   bool rigid = true;       ///< links without stiffness
-  bool plane = false;      ///< a ground plane with friction
+  bool ground = false;     ///< half-spaces with friction and without rebound, touched by single masses
   bool limits = false;     ///< limits on angles
-  bool colliders = false;  ///< solids of any shape, masses of some size, rebound, bodies that touch
+  bool colliders = false;  ///< solids of any shape, rebound, bodies that touch
   bool drag = true;
   bool break_stretch = false;
   bool break_tension = false;
@@ -51,6 +65,7 @@ struct Capabilities {
   /// Solves a step to the end, or can tell that it failed: then half the step may do, and so it may where a
   /// step made energy out of nothing. A step can be taken back.
   bool takes_steps_back = false;
+  Conservation keeps;
   StepLimit limit = StepLimit::none;
   Interpolation between_steps = Interpolation::hermite;  ///< how a frame between two steps is to be found
 };
@@ -118,6 +133,9 @@ struct Prices {
   double solve = 10.0;  ///< one of StepReport::link_solves
   double factor = 2.0;  ///< of a factorisation, to be multiplied by rows^1.5
 };
+
+/// What a method keeps and loses, in a line for people.
+std::string conservation_text(const Conservation& keeps);
 
 /// One entry of the registry.
 struct Method {

@@ -30,8 +30,8 @@ std::string param_problem(const Param& param, const std::variant<double, std::st
 /// it can do all.
 std::vector<std::string> capability_problems(const Model& model, const Method& method);
 
-/// Everything that a method would refuse of a run from a start with complete settings, one sentence each: what
-/// it lacks, and what it can't do with these settings or steps. Empty: the run can begin.
+/// Everything that a method would refuse of a run from a start with complete settings, one sentence each:
+/// what it lacks, and what it can't do with these settings or steps. Empty: the run can begin.
 std::vector<std::string> refusals(const Model& model, const State& start, const Settings& settings);
 
 }  // namespace taut

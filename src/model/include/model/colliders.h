@@ -57,7 +57,7 @@ struct ContactPoint {
   std::array<double, 4> weights{};  ///< sum to 1
   double radius = 0.0;              ///< m
   Index body = no_body;             ///< touches points of other bodies; no_body: touches none
-  bool holds = false;               ///< remembers where it sticks; see Holds
+  bool static_friction = false;     ///< remembers where it sticks; see StaticFriction
 };
 
 }  // namespace taut

@@ -232,7 +232,7 @@ struct Description {
   std::vector<HingeSpec> hinges;
   std::vector<ConeSpec> cones;
   std::vector<RagdollSpec> ragdolls;
-  WindSpec wind;
+  std::optional<WindSpec> wind;  ///< air, which may be still; absent: a vacuum
 };
 
 /// Something wrong with one entry of a Description, in the words of the scene format.
@@ -248,6 +248,7 @@ struct Built {
   Model model;
   State start;
   std::vector<Problem> problems;  ///< when not empty, model and start are not to be used
+  std::vector<Problem> notes{};   ///< what is allowed but seldom meant; none where there are problems
 };
 
 /// Validates a description and builds its model and the state at t = 0. Masses come in the order chains,

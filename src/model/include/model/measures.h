@@ -47,6 +47,13 @@ Vec3 centre_of_mass(const Model& model, const State& state);
 /// Which way is up, of unit length: against gravity, or along y where there is none.
 Vec3 up_direction(const Model& model);
 
+/// Angular momentum of the free masses about their centre (kg m²/s): it stays in free flight.
+Vec3 spin(const Model& model, const State& state);
+
+/// Whether nothing outside acts on the free masses but uniform gravity: no pin holds them, nothing is there
+/// to be touched, no air, no drag, no load.
+bool flies_freely(const Model& model);
+
 /// How far the lowest mass lies below the lowest pin (below the highest mass where nothing is pinned), with
 /// up_direction() (m).
 double sag(const Model& model, const State& state);
@@ -57,7 +64,7 @@ double fastest_speed(const State& state);
 /// How far the worst angle is beyond its range (rad); 0 where none is.
 double largest_limit_excess(const Model& model, const State& state);
 
-/// How deep the deepest contact point, or mass on a plane, is inside what it can't enter (m); 0 where none
+/// How deep the deepest contact point is inside what it can't enter (m); 0 where none
 /// is.
 double deepest_penetration(const Model& model, const State& state);
 

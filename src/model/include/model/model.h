@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "base/vectors.h"
 #include "model/colliders.h"
 #include "model/joints.h"
 #include "model/limits.h"
 #include "model/motion.h"
-#include "base/vectors.h"
 #include "model/wind.h"
 
 namespace taut {
@@ -61,13 +61,6 @@ struct Load {
   }
 };
 
-/// A half-space that masses can't enter; Coulomb friction on its surface.
-struct Plane {
-  Vec3 point = Vec3::Zero();    ///< m
-  Vec3 normal = Vec3::UnitY();  ///< unit length, out of the solid
-  double friction = 0.5;
-};
-
 inline constexpr Index no_link = std::numeric_limits<Index>::max();
 
 /// A triangle of a sheet, drawn while none of its edges that are links is broken.
@@ -114,8 +107,7 @@ struct Model {
   Links links;
   std::vector<DrivenPin> driven_pins;
   std::vector<Load> loads;
-  std::optional<Plane> plane;       ///< the ground, where that is all there is to hit and masses are points
-  std::vector<Collider> colliders;  ///< all solids, the ground among them, where there is more than that
+  std::vector<Collider> colliders;     ///< all solids, the ground among them
   std::vector<ContactPoint> contacts;  ///< what touches them; none without colliders and touching bodies
   std::vector<Limit> limits;
   std::vector<Joint> joints;  ///< those that resist
@@ -136,6 +128,17 @@ double free_mass(const Model& model);
 
 /// Whether each mass belongs to a ragdoll.
 std::vector<bool> in_ragdoll(const Model& model);
+
+/// Whether a contact point is a single mass that touches no other body and keeps no memory of where it
+/// sticks.
+bool is_plain(const ContactPoint& point);
+
+/// The half-space that a collider is, where it is one that gives nothing back: ground; else null.
+const HalfSpace* as_ground(const Collider& collider);
+
+/// Whether all there is to touch are half-spaces that give nothing back, and all that touches them are single
+/// masses: what methods that know only the ground can do.
+bool touches_only_ground(const Model& model);
 
 /// The links that a method solves: every one that has at least one free end.
 std::vector<Index> solvable_links(const Model& model);

@@ -9,16 +9,17 @@
 namespace taut {
 
 /// How far a contact that sticks has given way (m): what friction takes back in the steps to come.
-struct Grip {
+struct ContactSlip {
   Index a = 0, b = 0;  ///< a contact point, and a collider or another contact point
   Vec3 slip = Vec3::Zero();
 };
 
-/// What friction at rest holds on to. Without it a contact that sticks would let go of what one step leaves
+/// What friction at rest remembers. Without it a contact that sticks would let go of what one step leaves
 /// undone, every step, and creep.
-struct Holds {
-  std::vector<Grip> solids;  ///< those contact points that hold, on colliders, in order of a and then b
-  std::vector<Grip> bodies;  ///< the same on one another, in the same order
+struct StaticFriction {
+  std::vector<ContactSlip>
+      solids;  ///< contact points with static friction, on colliders, in order of a and then b
+  std::vector<ContactSlip> bodies;  ///< the same on one another, in the same order
   std::vector<Vec3> joints;  ///< rad, one a joint: how far it has given way, along JointAngles' directions
 };
 
@@ -31,7 +32,7 @@ struct State {
       tension;  ///< N, one a link, pull positive; 0 until a method that knows it has made a step
   std::vector<double> broken_at;  ///< s, one a link; infinity while the link is whole
 
-  Holds holds;
+  StaticFriction static_friction;
 
   /// How long a kick of gravity, loads, drag, wind and springs (s) the velocities hold that rigid links have
   /// not answered yet: half the last step with methods whose Capabilities say half_kicked, 0 at the start.

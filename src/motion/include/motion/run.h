@@ -37,7 +37,8 @@ class Run {
   Run(Run&&) noexcept;
 
   /// Makes the next step; with methods whose tension is of second order (Capabilities::tension_order) it is
-  /// cut where a link breaks within it, with others links break at its end. False when the run has ended: in this step, or before.
+  /// cut where a link breaks within it, with others links break at its end. False when the run has ended: in
+  /// this step, or before.
   bool step();
   /// The state at a time (s) that is not before the one asked for last: between two steps interpolated from
   /// both. Nothing when told to stop on the way, or when the run has ended before.

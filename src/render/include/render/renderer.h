@@ -8,9 +8,9 @@
 #include "base/image.h"
 #include "model/model.h"
 #include "model/state.h"
-#include "view/view.h"
 #include "render/camera.h"
 #include "render/gl_context.h"
+#include "view/view.h"
 
 namespace taut {
 

@@ -26,6 +26,7 @@ struct Scene {
   Camera camera;
   Look look;
   Expectation expectation;
+  std::vector<std::string> notes;  ///< what is allowed but seldom meant, a line each: "file:3:1: note: …"
 };
 
 /// What the command line changes in a scene.

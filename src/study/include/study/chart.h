@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "measure/work_precision.h"
+#include "frames/simulation.h"
 #include "host/machine.h"
 #include "host/progress.h"
-#include "frames/simulation.h"
-#include "study/timed_runs.h"
+#include "measure/work_precision.h"
 #include "scene/scene.h"
+#include "study/timed_runs.h"
 
 namespace taut {
 

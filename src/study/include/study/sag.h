@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "measure/rest_shape.h"
 #include "frames/simulation.h"
+#include "measure/rest_shape.h"
 #include "scene/scene.h"
 
 namespace taut {

@@ -4,8 +4,8 @@
 #include <string_view>
 
 #include "measure/planner.h"
-#include "study/reference_cache.h"
 #include "scene/scene.h"
+#include "study/reference_cache.h"
 
 namespace taut {
 

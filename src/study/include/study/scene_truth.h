@@ -6,8 +6,8 @@
 
 #include "base/stop.h"
 #include "measure/truth.h"
-#include "study/reference_cache.h"
 #include "scene/scene.h"
+#include "study/reference_cache.h"
 
 namespace taut {
 

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <string>
 
-#include "study/stability_map.h"
 #include "scene/scene.h"
+#include "study/stability_map.h"
 
 namespace taut {
 

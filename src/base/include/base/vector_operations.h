@@ -1,0 +1,40 @@
+#pragma once
+
+#include "base/vectors.h"
+
+namespace taut {
+
+/// Calls visit with the x arrays of all of them, then with the y arrays, then with the z arrays.
+template <class Visit, class... Many>
+void for_each_axis(const Visit& visit, Many&... vectors) {
+  visit(vectors.x...);
+  visit(vectors.y...);
+  visit(vectors.z...);
+}
+
+/// result = a + factor·b, vector by vector; all of one size. `result` may be `a` or `b`.
+inline void add_scaled(const Vectors& a, double factor, const Vectors& b, Vectors& result) {
+  for_each_axis(
+      [factor](const auto& u, const auto& v, auto& sum) {
+        for (std::size_t i = 0; i < u.size(); ++i) sum[i] = u[i] + factor * v[i];
+      },
+      a, b, result);
+}
+
+/// result = factor·(a − b), vector by vector; all of one size.
+inline void scaled_difference(double factor, const Vectors& a, const Vectors& b, Vectors& result) {
+  for_each_axis(
+      [factor](const auto& u, const auto& v, auto& difference) {
+        for (std::size_t i = 0; i < u.size(); ++i) difference[i] = (u[i] - v[i]) * factor;
+      },
+      a, b, result);
+}
+
+/// The sum of the squares of all coordinates, vector after vector.
+inline double squared_norm(const Vectors& vectors) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < vectors.size(); ++i) sum += vectors.at(i).squaredNorm();
+  return sum;
+}
+
+}  // namespace taut
