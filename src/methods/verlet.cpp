@@ -7,28 +7,33 @@
 // The same sequence of positions is had from position and velocity at the same time by half a kick, the
 // drift, the relaxation, v = Δx/h, and half a kick:  x_{n+1} − x_n = (x_n − x_{n−1}) + h (h/2) a + h (h/2) a.
 // That is how it stands here, so that a State means the same for every method. The velocity at the end still
-// holds the last half kick, which the links have not answered yet: a mass at rest shows h·g/2.
+// holds the last half kick, which the links have not answered yet: a mass at rest shows h·g/2. Where a stop
+// or a solid pushes, more passes may follow (pass_control.h).
 
 #include <array>
 #include <cmath>
 #include <utility>
 
+#include "contact/joint_resistance.h"
 #include "contact/limits_and_contacts.h"
 #include "forces/forces.h"
-#include "contact/joint_resistance.h"
-#include "relax/link_order.h"
 #include "methods/method.h"
 #include "parameters.h"
+#include "relax/link_order.h"
+#include "relax/pass_control.h"
 
 namespace taut {
 namespace {
 
 class VerletStepper final : public Stepper {
  public:
-  VerletStepper(const Model& model, int passes)
-      : model_(model), passes_(passes), beside_(model), joints_(model) {}
+  VerletStepper(const Model& model, PassCounts passes)
+      : model_(model), passes_(model, passes), beside_(model), joints_(model) {}
 
-  void links_changed(const State& state) override { order_ = coloured_order(model_, state); }
+  void links_changed(const State& state) override {
+    order_ = coloured_order(model_, state);
+    passes_.links_changed(order_.links);
+  }
 
   StepReport step(State& state, double h) override {
     start_ = state.position;
@@ -40,13 +45,14 @@ class VerletStepper final : public Stepper {
     drift(h, start_, velocity_, state.position);
     place_pins(model_, end_time, state.position, velocity_);
     beside_.begin_step(start_, state);
-    for (int pass = 0; pass < passes_; ++pass) {
+    int made = 0;
+    for (; passes_.another(made, beside_.may_jump(), start_, state.position, h); ++made) {
       relax(state.position);
       beside_.solve(h, 1.0, state.position);
     }
     StepReport report;
-    report.rounds = passes_;
-    report.link_solves = (static_cast<std::int64_t>(order_.links.size()) + beside_.size()) * passes_;
+    report.rounds = made;
+    report.link_solves = (static_cast<std::int64_t>(order_.links.size()) + beside_.size()) * made;
     difference_quotient(h, start_, state.position, velocity_);
     beside_.rebound(h, velocity_);
     kick(model_, end_time, 0.5 * h, velocity_, velocity_);
@@ -81,17 +87,17 @@ class VerletStepper final : public Stepper {
   }
 
   const Model& model_;
-  int passes_;
+  PassControl passes_;
   BesideLinks beside_;
   JointResistance joints_;
   OrderedLinks order_;
   Vectors start_, velocity_;
 };
 
-constexpr std::array params{steps_per_second_param(600.0), passes_param(1.0)};
+constexpr std::array params{steps_per_second_param(600.0), passes_param(1.0), impact_passes_param()};
 
 std::unique_ptr<Stepper> make(const Model& model, const Settings& settings) {
-  return std::make_unique<VerletStepper>(model, static_cast<int>(settings.number("passes")));
+  return std::make_unique<VerletStepper>(model, pass_counts(settings));
 }
 
 }  // namespace

@@ -24,6 +24,9 @@ class BodyContacts {
   /// what Friction holds.
   void solve(Vectors& position);
 
+  /// Whether any have touched in this step.
+  bool touched() const { return touched_; }
+
   /// What holds at the end of the step.
   void keep(const Vectors& position, std::vector<Grip>& grips) const;
 
@@ -51,6 +54,7 @@ class BodyContacts {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;  // of points
   std::vector<Friction> frictions_;  // one a pair, of this step; none where nothing holds
   const Vectors* start_ = nullptr;
+  bool touched_ = false;
 };
 
 }  // namespace taut

@@ -14,6 +14,7 @@ ContactSolver::ContactSolver(const Model& model) : model_(model), points_(model)
 void ContactSolver::begin_step(const std::vector<Grip>& grips, const Vectors& start, const Vectors& velocity,
                                const Vectors& predicted) {
   start_ = &start;
+  touched_ = false;
   start_velocity_ = &velocity;
   near_.clear();
   touches_.clear();
@@ -44,6 +45,7 @@ void ContactSolver::solve(Vectors& position) {
     const Surface surface = nearest_surface(collider.shape, x);
     const double depth = points_.point(pair.point).radius - surface.distance;
     if (!(depth > 0.0)) continue;
+    touched_ = true;
     const Vec3 moved = x - points_.value(pair.point, *start_);
     const Vec3 held = points_.point(pair.point).holds
                           ? frictions_[i].hold(collider.friction, depth, surface.normal, moved)

@@ -23,6 +23,9 @@ class ContactSolver {
   /// what Friction holds.
   void solve(Vectors& position);
 
+  /// Whether anything has touched a solid in this step.
+  bool touched() const { return touched_; }
+
   /// What holds at the end of the step.
   void keep(const Vectors& position, std::vector<Grip>& grips) const;
 
@@ -50,6 +53,7 @@ class ContactSolver {
   const Model& model_;
   ContactPoints points_;
   const Vectors* start_ = nullptr;
+  bool touched_ = false;
   const Vectors* start_velocity_ = nullptr;
   std::vector<Pair> near_;           // that may touch
   std::vector<Friction> frictions_;  // one for each of those; none where nothing holds

@@ -11,13 +11,15 @@ namespace taut {
 /// touch, solids, and the ground.
 class BesideLinks {
  public:
-  explicit BesideLinks(const Model& model)
-      : model_(model), limits_(model), bodies_(model), contacts_(model) {}
+  explicit BesideLinks(const Model& model) : model_(model), limits_(model), bodies_(model), contacts_(model) {
+    for (const Collider& collider : model.colliders) rebounds_ = rebounds_ || collider.restitution > 0.0;
+  }
 
   /// To be called once positions of the step have been predicted, in place of those of the state; the
   /// positions at its start, which must stay where they are until keep().
   void begin_step(const Vectors& start, const State& predicted) {
     start_ = &start;
+    on_plane_ = false;
     limits_.begin_step();
     bodies_.begin_step(predicted.holds.bodies, start, predicted.position);
     contacts_.begin_step(predicted.holds.solids, start, predicted.velocity, predicted.position);
@@ -29,7 +31,14 @@ class BesideLinks {
     limits_.solve(position, h, answer);
     bodies_.solve(position);
     contacts_.solve(position);
-    if (model_.plane) keep_out_of_plane(*model_.plane, model_.masses, *start_, position);
+    if (model_.plane)
+      on_plane_ = keep_out_of_plane(*model_.plane, model_.masses, *start_, position) || on_plane_;
+  }
+
+  /// Whether velocities may have jumped in this step, or at the end of the one before: a stop has pushed,
+  /// something has touched, or something may have rebounded.
+  bool may_jump() const {
+    return rebounds_ || on_plane_ || limits_.pushed() || bodies_.touched() || contacts_.touched();
   }
 
   /// Once velocities have been derived from positions.
@@ -50,6 +59,8 @@ class BesideLinks {
   BodyContacts bodies_;
   ContactSolver contacts_;
   const Vectors* start_ = nullptr;
+  bool on_plane_ = false;
+  bool rebounds_ = false;  // whether any solid gives something back
 };
 
 }  // namespace taut

@@ -102,11 +102,13 @@ void difference_quotient(double h, const Vectors& from, const Vectors& to, Vecto
   difference_axis(1.0 / h, from.z, to.z, velocity.z);
 }
 
-void keep_out_of_plane(const Plane& plane, const Masses& masses, const Vectors& start, Vectors& position) {
+bool keep_out_of_plane(const Plane& plane, const Masses& masses, const Vectors& start, Vectors& position) {
+  bool touched = false;
   for (std::size_t i = 0; i < position.size(); ++i) {
     const Vec3 x = position.at(i);
     const double depth = (plane.point - x).dot(plane.normal);
     if (!(depth > 0.0) || masses.pinned(i)) continue;
+    touched = true;
     const Vec3 moved = x - start.at(i);
     const Vec3 slide = moved - plane.normal * moved.dot(plane.normal);
     const double distance = slide.norm();
@@ -114,6 +116,7 @@ void keep_out_of_plane(const Plane& plane, const Masses& masses, const Vectors& 
     const double kept = distance > held ? 1.0 - held / distance : 0.0;
     position.set(i, x + plane.normal * depth - slide * (1.0 - kept));
   }
+  return touched;
 }
 
 }  // namespace taut

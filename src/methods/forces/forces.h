@@ -35,7 +35,7 @@ void difference_quotient(double h, const Vectors& from, const Vectors& to, Vecto
 
 /// Pushes masses that have entered the plane back onto it and takes from their way along it, counted from
 /// `start`, at most friction × depth: Coulomb's law for the position changes of one step (Macklin et al.,
-/// Unified Particle Physics, 2014, eq. 24).
-void keep_out_of_plane(const Plane& plane, const Masses& masses, const Vectors& start, Vectors& position);
+/// Unified Particle Physics, 2014, eq. 24). Returns whether there were any.
+bool keep_out_of_plane(const Plane& plane, const Masses& masses, const Vectors& start, Vectors& position);
 
 }  // namespace taut
