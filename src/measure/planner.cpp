@@ -29,7 +29,7 @@ std::string settings_text(const Settings& settings) {
 
 Plan plan_without_truth(const Truth& truth, double wanted) {
   Plan plan;
-  plan.settings = complete_settings({"xpbd", {{"steps_per_second", 600.0}, {"passes", 1.0}}});
+  plan.settings = complete_settings({"xpbd", {{"steps_per_second", 600.0}}});
   plan.wanted = wanted;
   plan.why = fmt::format("{}: this is the default, because no error can be judged: {}",
                          settings_text(plan.settings), truth.remark);

@@ -24,7 +24,10 @@
 // energy, and is reported as such.
 //
 // Limits on angles that push border both systems (see ActiveLimits): in positions along their gradients at
-// the start of the step, in velocities along those at its end. Stops are plastic.
+// the start of the step, in velocities along those at its end. Hard stops are plastic. Soft ones are springs
+// that only push, whatever their compliance: each half kick has of their torques at the start of the step and
+// at its end (begin_half_kicks); in positions those at the end border the system, and velocities get their
+// half kick before the links answer.
 
 #include <fmt/format.h>
 
@@ -99,12 +102,13 @@ class RattleStepper final : public SwappingStepper {
     drift(h, start_position_, half_velocity_, position_);
     place_pins(model_, end_time, position_, half_velocity_);
     report.link_solves += kicks_.solves();
-    limits_.begin_step(h);
+    limits_.begin_half_kicks(h, start_position_, position_);
     if (!solve_positions(report)) return;
 
     difference_quotient(h, start_position_, position_, velocity_);
     place_pins(model_, end_time, position_, velocity_);
     kicks_.end(start, end_time, half, position_, half_velocity_, velocity_, tension_);
+    limits_.kick(position_, 1.0 / (1.0 + half * model_.drag), velocity_);
     joints_.finish(0.5, position_, velocity_);
     solve_velocities(half, report);
   }

@@ -94,7 +94,9 @@ Settings complete_settings(const Settings& given) {
   }
   Settings complete = given;
   for (const Param& param : method->params) {
-    if (param.choices.empty())
+    if (const auto leader = given.values.find(param.follows); leader != given.values.end())
+      complete.values.try_emplace(std::string(param.name), leader->second);
+    else if (param.choices.empty())
       complete.values.try_emplace(std::string(param.name), param.fallback);
     else
       complete.values.try_emplace(std::string(param.name), std::string(param.choices.front()));

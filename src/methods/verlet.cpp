@@ -8,7 +8,8 @@
 // drift, the relaxation, v = Δx/h, and half a kick:  x_{n+1} − x_n = (x_n − x_{n−1}) + h (h/2) a + h (h/2) a.
 // That is how it stands here, so that a State means the same for every method. The velocity at the end still
 // holds the last half kick, which the links have not answered yet: a mass at rest shows h·g/2. The tension is
-// Σ s |d| over h (h/2 + that kick): h² but for the first step and where h has changed.
+// Σ s |d| over h (h/2 + that kick): h² but for the first step and where h has changed. Where a stop or a solid
+// pushes, more passes may follow (pass_control.h).
 
 #include <array>
 #include <cmath>
@@ -21,18 +22,20 @@
 #include "methods/method.h"
 #include "parameters.h"
 #include "relax/link_order.h"
+#include "relax/pass_control.h"
 
 namespace taut {
 namespace {
 
 class VerletStepper final : public FileOrderStepper {
  public:
-  VerletStepper(const Model& model, int passes)
-      : model_(model), passes_(passes), limits_and_contacts_(model), joints_(model) {}
+  VerletStepper(const Model& model, PassCounts passes)
+      : model_(model), passes_(model, passes), limits_and_contacts_(model), joints_(model) {}
 
  private:
   void links_changed(const State& state) override {
     order_ = coloured_order(model_, state);
+    passes_.links_changed(order_.links);
     moved_.assign(order_.links.size(), 0.0);
   }
 
@@ -47,14 +50,14 @@ class VerletStepper final : public FileOrderStepper {
     place_pins(model_, end_time, state.position, velocity_);
     moved_.assign(order_.links.size(), 0.0);
     limits_and_contacts_.begin_step(start_, state);
-    for (int pass = 0; pass < passes_; ++pass) {
+    int made = 0;
+    for (; passes_.another(made, limits_and_contacts_.may_jump(), start_, state.position, h); ++made) {
       relax(state.position);
       limits_and_contacts_.solve(h, 1.0, state.position);
     }
     StepReport report;
-    report.rounds = passes_;
-    report.link_solves =
-        (static_cast<std::int64_t>(order_.links.size()) + limits_and_contacts_.size()) * passes_;
+    report.rounds = made;
+    report.link_solves = (static_cast<std::int64_t>(order_.links.size()) + limits_and_contacts_.size()) * made;
     difference_quotient(h, start_, state.position, velocity_);
     limits_and_contacts_.rebound(h, velocity_);
     kick(model_, end_time, 0.5 * h, velocity_, velocity_);
@@ -94,7 +97,7 @@ class VerletStepper final : public FileOrderStepper {
   }
 
   const Model& model_;
-  int passes_;
+  PassControl passes_;
   LimitsAndContacts limits_and_contacts_;
   JointResistance joints_;
   OrderedLinks order_;
@@ -102,7 +105,7 @@ class VerletStepper final : public FileOrderStepper {
   std::vector<double> moved_;  // kg m, one a link of the order: Σ s |d|
 };
 
-constexpr std::array params{steps_per_second_param(600.0), passes_param(1.0)};
+constexpr std::array params{steps_per_second_param(600.0), passes_param(1.0), impact_passes_param()};
 
 std::unique_ptr<Stepper> make(const Model& model, const Settings& settings, const Execution&) {
   return std::make_unique<VerletStepper>(model, static_cast<int>(settings.number("passes")));

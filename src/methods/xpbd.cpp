@@ -13,7 +13,7 @@
 // w. α̃ = α/h² with the compliance α = 1/k; γ = α̃ β̃/h = α c/h with the damping c (β̃ = h² c). A rigid link has
 // α = 0, and so no damping. The tension of a link is −λ/h². Links go colour by colour: in file order, one
 // pass a step without damping runs to infinity on a large sheet. Limits on angles and contacts with solids
-// follow the links in every pass.
+// follow the links in every pass; where one pushes, more passes may follow (pass_control.h).
 
 #include <array>
 #include <cmath>
@@ -28,6 +28,7 @@
 #include "model/parts.h"
 #include "parameters.h"
 #include "relax/link_order.h"
+#include "relax/pass_control.h"
 #include "relax/xpbd_single.h"
 
 namespace taut {
@@ -68,9 +69,9 @@ double common_weight(const Model& model) {
 
 class XpbdStepper final : public FileOrderStepper {
  public:
-  XpbdStepper(const Model& model, int passes)
+  XpbdStepper(const Model& model, PassCounts passes)
       : model_(model),
-        passes_(passes),
+        passes_(model, passes),
         limits_and_contacts_(model),
         joints_(model),
         equal_weight_(common_weight(model)),
@@ -111,6 +112,7 @@ class XpbdStepper final : public FileOrderStepper {
       damped_ = damped_ || model_.links.damping[link] > 0.0;
     }
     multipliers_.assign(links_.size(), 0.0);
+    passes_.links_changed(links_);
   }
 
   StepReport make_step(State& state, double h, double end_time) override {
@@ -124,13 +126,14 @@ class XpbdStepper final : public FileOrderStepper {
     place_pins(model_, end_time, state.position, velocity_);
     multipliers_.assign(links_.size(), 0.0);
     limits_and_contacts_.begin_step(start_, state);
-    for (int pass = 0; pass < passes_; ++pass) {
+    int made = 0;
+    for (; passes_.another(made, limits_and_contacts_.may_jump(), start_, state.position, h); ++made) {
       solve_all(state.position, h);
       limits_and_contacts_.solve(h, 1.0 / (1.0 + h * model_.drag), state.position);
     }
     StepReport report;
-    report.rounds = passes_;
-    report.link_solves = (static_cast<std::int64_t>(links_.size()) + limits_and_contacts_.size()) * passes_;
+    report.rounds = made;
+    report.link_solves = (static_cast<std::int64_t>(links_.size()) + limits_and_contacts_.size()) * made;
     difference_quotient(h, start_, state.position, velocity_);
     limits_and_contacts_.rebound(h, velocity_);
     place_pins(model_, end_time, state.position, velocity_);
@@ -234,7 +237,7 @@ class XpbdStepper final : public FileOrderStepper {
   }
 
   const Model& model_;
-  int passes_;
+  PassControl passes_;
   LimitsAndContacts limits_and_contacts_;
   JointResistance joints_;
   double equal_weight_, equal_inverse_weight_;  // w of all free masses, 1/(2 w); −1 where they differ
@@ -252,12 +255,13 @@ constexpr std::array<std::string_view, 2> precisions{"double", "single"};
 constexpr std::array params{
     steps_per_second_param(600.0),
     passes_param(1.0),
+    impact_passes_param(),
     Param{"precision", "", 0, 0, 0, false, precisions,
           "of positions and velocities; single shows what rounding does, and is no quicker here"},
 };
 
 std::unique_ptr<Stepper> make(const Model& model, const Settings& settings, const Execution&) {
-  const int passes = static_cast<int>(settings.number("passes"));
+  const PassCounts passes = pass_counts(settings);
   if (settings.choice("precision") == "single") return make_single_xpbd(model, passes);
   return std::make_unique<XpbdStepper>(model, passes);
 }

@@ -168,4 +168,9 @@ Overshoot overshoot(const Limit& limit, double angle) {
   return above >= below ? Overshoot{above, 1.0} : Overshoot{below, -1.0};
 }
 
+double excess_at(const Limit& limit, double angle, double sign) {
+  const double excess = sign > 0.0 ? angle - limit.max : limit.min - angle;
+  return limit.kind == LimitKind::hinge ? std::remainder(excess, 2.0 * std::numbers::pi) : excess;
+}
+
 }  // namespace taut

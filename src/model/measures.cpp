@@ -39,6 +39,11 @@ Energy energy(const Model& model, const State& state) {
     const double stretch = link_distance(model, state.position, i) - model.links.length[i];
     energy.elastic += 0.5 * model.links.stiffness[i] * stretch * stretch;
   }
+  for (const Limit& limit : model.limits) {
+    if (limit.compliance == 0.0) continue;
+    const double excess = std::max(overshoot(limit, limit_angle(limit, state.position)).size, 0.0);
+    energy.elastic += 0.5 * excess * excess / limit.compliance;
+  }
   return energy;
 }
 

@@ -104,7 +104,7 @@ Section world_section();
 Section title_section();
 Section solve_section();
 
-/// What runs when a scene says nothing: xpbd, 600 steps per second, 1 pass.
+/// What runs when a scene says nothing: xpbd, 600 steps per second.
 Settings default_settings();
 
 }  // namespace taut

@@ -144,7 +144,7 @@ std::string write_solve(const Scene& scene) {
 }  // namespace
 
 Settings default_settings() {
-  return complete_settings({"xpbd", {{"steps_per_second", 600.0}, {"passes", 1.0}}});
+  return complete_settings({"xpbd", {{"steps_per_second", 600.0}}});
 }
 
 Section solve_section() {

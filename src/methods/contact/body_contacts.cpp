@@ -75,6 +75,7 @@ bool BodyContacts::moved_since_search(const Vectors& position) const {
 void BodyContacts::begin_step(const std::vector<ContactSlip>& slips, const Vectors& start,
                               const Vectors& predicted) {
   start_ = &start;
+  touched_ = false;
   if (balls_.empty()) return;
   if (moved_since_search(predicted)) {
     pairs_.clear();
@@ -104,6 +105,7 @@ void BodyContacts::solve(Vectors& position) {
     const double distance = apart.norm(),
                  overlap = points_.point(a).radius + points_.point(b).radius - distance;
     if (!(overlap > 0.0) || distance == 0.0 || weight_a + weight_b == 0.0) continue;
+    touched_ = true;
     const Vec3 normal = apart / distance, way = moved(a, b, position);
     const bool remembers = points_.point(a).static_friction && points_.point(b).static_friction;
     const Vec3 held = remembers ? frictions_[i].hold(friction, overlap, normal, way)

@@ -24,6 +24,9 @@ class BodyContacts {
   /// what friction allows.
   void solve(Vectors& position);
 
+  /// Whether any have touched in this step.
+  bool touched() const { return touched_; }
+
   /// How far contacts with static friction have slipped at the end of the step.
   void keep(const Vectors& position, std::vector<ContactSlip>& slips) const;
 
@@ -51,6 +54,7 @@ class BodyContacts {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;  // of points
   std::vector<StickingFriction> frictions_;  // one a pair, of this step; none without static friction
   const Vectors* start_ = nullptr;
+  bool touched_ = false;
 };
 
 }  // namespace taut

@@ -21,6 +21,7 @@ ContactSolver::ContactSolver(const Model& model) : model_(model), points_(model)
 void ContactSolver::begin_step(const std::vector<ContactSlip>& slips, const Vectors& start,
                                const Vectors& velocity, const Vectors& predicted) {
   start_ = &start;
+  touched_ = false;
   start_velocity_ = &velocity;
   near_.clear();
   touches_.clear();
@@ -52,6 +53,7 @@ void ContactSolver::solve(Vectors& position) {
     const Surface surface = nearest_surface(collider.shape, x);
     const double depth = points_.point(pair.point).radius - surface.distance;
     if (!(depth > 0.0)) continue;
+    touched_ = true;
     const Vec3 moved = x - points_.value(pair.point, *start_);
     const Vec3 held = points_.point(pair.point).static_friction
                           ? frictions_[i].hold(collider.friction, depth, surface.normal, moved)
@@ -59,7 +61,7 @@ void ContactSolver::solve(Vectors& position) {
     points_.move(pair.point, surface.normal * depth + held, position);
     if (collider.restitution > 0.0) touch(pair, surface.normal);
   }
-  ground_.solve(*start_, position);
+  touched_ = ground_.solve(*start_, position) || touched_;
 }
 
 void ContactSolver::keep(const Vectors& position, std::vector<ContactSlip>& slips) const {

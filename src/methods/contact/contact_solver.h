@@ -24,6 +24,9 @@ class ContactSolver {
   /// what friction allows.
   void solve(Vectors& position);
 
+  /// Whether anything has touched a solid in this step.
+  bool touched() const { return touched_; }
+
   /// How far contacts with static friction have slipped at the end of the step.
   void keep(const Vectors& position, std::vector<ContactSlip>& slips) const;
 
@@ -51,6 +54,7 @@ class ContactSolver {
   const Model& model_;
   ContactPoints points_;
   const Vectors* start_ = nullptr;
+  bool touched_ = false;
   const Vectors* start_velocity_ = nullptr;
   GroundContacts ground_;                    // single masses on the ground …
   std::vector<Pair> pairs_;                  // … and everything else that can ever touch, point by point

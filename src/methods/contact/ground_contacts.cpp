@@ -16,7 +16,8 @@ GroundContacts::GroundContacts(const Model& model) {
   }
 }
 
-void GroundContacts::solve(const Vectors& start, Vectors& position) const {
+bool GroundContacts::solve(const Vectors& start, Vectors& position) const {
+  bool touched = false;
   for (const Ground& ground : grounds_) {
     const Vec3 on = ground.half_space.point, normal = ground.half_space.normal;
     for (std::size_t i = 0; i < masses_.size(); ++i) {
@@ -25,10 +26,12 @@ void GroundContacts::solve(const Vectors& start, Vectors& position) const {
           radius_[i] - ((position.x[mass] - on.x()) * normal.x() + (position.y[mass] - on.y()) * normal.y() +
                         (position.z[mass] - on.z()) * normal.z());
       if (!(depth > 0.0)) continue;
+      touched = true;
       const Vec3 moved = position.at(mass) - start.at(mass);
       position.add(mass, normal * depth + coulomb_friction(ground.friction, depth, normal, moved));
     }
   }
+  return touched;
 }
 
 }  // namespace taut

@@ -16,8 +16,8 @@ class GroundContacts {
   bool empty() const { return grounds_.empty() || masses_.empty(); }
 
   /// One pass: pushes masses that have entered the ground back to its surface, and takes from their way along
-  /// it since `start` what Coulomb's law allows.
-  void solve(const Vectors& start, Vectors& position) const;
+  /// it since `start` what Coulomb's law allows. Returns whether there were any.
+  bool solve(const Vectors& start, Vectors& position) const;
 
  private:
   struct Ground {

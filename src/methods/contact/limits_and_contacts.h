@@ -10,7 +10,9 @@ namespace taut {
 /// touch, solids, and the ground.
 class LimitsAndContacts {
  public:
-  explicit LimitsAndContacts(const Model& model) : limits_(model), bodies_(model), contacts_(model) {}
+  explicit LimitsAndContacts(const Model& model) : limits_(model), bodies_(model), contacts_(model) {
+    for (const Collider& collider : model.colliders) rebounds_ = rebounds_ || collider.restitution > 0.0;
+  }
 
   /// To be called once positions of the step have been predicted, in place of those of the state; the
   /// positions at its start, which must stay where they are until keep().
@@ -26,6 +28,12 @@ class LimitsAndContacts {
     limits_.solve(position, h, answer);
     bodies_.solve(position);
     contacts_.solve(position);
+  }
+
+  /// Whether velocities may have jumped in this step, or at the end of the one before: a stop has pushed,
+  /// something has touched, or something may have rebounded.
+  bool may_jump() const {
+    return rebounds_ || limits_.pushed() || bodies_.touched() || contacts_.touched();
   }
 
   /// Once velocities have been derived from positions.
@@ -44,6 +52,7 @@ class LimitsAndContacts {
   LimitSolver limits_;
   BodyContacts bodies_;
   ContactSolver contacts_;
+  bool rebounds_ = false;  // whether any solid gives something back
 };
 
 }  // namespace taut

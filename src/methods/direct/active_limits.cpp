@@ -11,13 +11,40 @@ ActiveLimits::ActiveLimits(const Model& model)
 
 void ActiveLimits::begin_step(double h) {
   h_ = h;
+  share_.assign(limits_.size(), 1.0);
   std::fill(pushes_.begin(), pushes_.end(), Push{});
 }
 
-// The gradient of the overshoot.
-LimitAngle ActiveLimits::outward(std::size_t limit, const Vectors& position) const {
+void ActiveLimits::begin_half_kicks(double h, const Vectors& start, Vectors& position) {
+  begin_step(h);
+  start_pushes_.assign(limits_.size(), Push{});
+  for (std::size_t i = 0; i < limits_.size(); ++i) {
+    const double compliance = limits_[i].compliance;
+    if (compliance == 0.0) continue;
+    const Overshoot beyond = overshoot(limits_[i], limit_angle(limits_[i], start));
+    const LimitAngle along = outward(i, beyond.sign, start);
+    const double shortness = 1.0 + h * h * own_weight(i, along) / compliance;  // 1 + ω²h²
+    const double at_start = 0.5 / (shortness * shortness);
+    share_[i] = 0.5 * (1.0 - at_start);
+    if (!(beyond.size > 0.0)) continue;
+    start_pushes_[i] = {0.5 * at_start * h * h * beyond.size / compliance, beyond.sign};
+    move(i, along, -start_pushes_[i].multiplier, position);
+  }
+}
+
+void ActiveLimits::kick(const Vectors& position, double answer, Vectors& velocity) const {
+  for (std::size_t i = 0; i < limits_.size(); ++i) {
+    if (limits_[i].compliance == 0.0) continue;
+    for (const Push& push : {start_pushes_[i], pushes_[i]})
+      if (push.multiplier > 0.0)
+        move(i, outward(i, push.sign, position), -answer * push.multiplier / h_, velocity);
+  }
+}
+
+// The gradient of the overshoot at one end of the range.
+LimitAngle ActiveLimits::outward(std::size_t limit, double sign, const Vectors& position) const {
   LimitAngle angle = limit_gradients(limits_[limit], position);
-  for (std::size_t k = 0; k < limits_[limit].count; ++k) angle.gradient[k] *= pushes_[limit].sign;
+  for (std::size_t k = 0; k < limits_[limit].count; ++k) angle.gradient[k] *= sign;
   return angle;
 }
 
@@ -26,16 +53,29 @@ double ActiveLimits::look(const Vectors& position, const Vectors* start) {
   double worst = 0.0;
   for (std::size_t i = 0; i < limits_.size(); ++i) {
     const Limit& limit = limits_[i];
-    const Overshoot beyond = overshoot(limit, limit_angle(limit, position));
-    if (beyond.sign != pushes_[i].sign) pushes_[i] = {0.0, beyond.sign};
+    const double angle = limit_angle(limit, position);
+    Overshoot beyond = overshoot(limit, angle);
+    // What pushes at one end is first taken back there before the other end may push.
+    if (beyond.sign != pushes_[i].sign && pushes_[i].multiplier > 0.0)
+      beyond = {excess_at(limit, angle, pushes_[i].sign), pushes_[i].sign};
+    pushes_[i].sign = beyond.sign;
     if (!(beyond.size > 0.0) && pushes_[i].multiplier == 0.0) continue;
-    const double compliance = limit.compliance / (h_ * h_);
+    const double compliance = limit.compliance / (share_[i] * h_ * h_);
     const double wanted = beyond.size - compliance * pushes_[i].multiplier;
     worst = std::max(worst, std::abs(wanted));
-    const LimitAngle along = outward(i, position);
-    active_.push_back({i, along, start == nullptr ? along : outward(i, *start), wanted, compliance});
+    const double sign = pushes_[i].sign;
+    const LimitAngle along = outward(i, sign, position);
+    active_.push_back({i, along, start == nullptr ? along : outward(i, sign, *start), wanted, compliance});
   }
   return worst;
+}
+
+// Σ w|∇C|²: what a unit push at the limit's masses, alone, makes of its angle.
+double ActiveLimits::own_weight(std::size_t limit, const LimitAngle& along) const {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < limits_[limit].count; ++k)
+    sum += inverse_mass_[limits_[limit].masses[k]] * along.gradient[k].squaredNorm();
+  return sum;
 }
 
 // G W G₀ᵀ of two limits: what they share.
@@ -58,17 +98,17 @@ double ActiveLimits::change(const Row& row, const Vectors& velocity) const {
   return sum;
 }
 
-void ActiveLimits::move(const Row& row, double strength, Vectors& target) const {
-  const Limit& limit = limits_[row.limit];
-  for (std::size_t k = 0; k < limit.count; ++k)
-    target.add(limit.masses[k], (strength * inverse_mass_[limit.masses[k]]) * row.column.gradient[k]);
+void ActiveLimits::move(std::size_t limit, const LimitAngle& column, double strength, Vectors& target) const {
+  const auto& masses = limits_[limit].masses;
+  for (std::size_t k = 0; k < limits_[limit].count; ++k)
+    target.add(masses[k], (strength * inverse_mass_[masses[k]]) * column.gradient[k]);
 }
 
 // What one limit's push moves: W G₀ᵀ.
 Vectors ActiveLimits::reach(const Row& column) const {
   Vectors moved;
   moved.resize(inverse_mass_.size());
-  move(column, 1.0, moved);
+  move(column.limit, column.column, 1.0, moved);
   return moved;
 }
 
@@ -127,7 +167,7 @@ void ActiveLimits::push(const LinkSystem& system, const Vectors& rows, const Vec
     double& multiplier = pushes_[active_[j].limit].multiplier;
     const double before = multiplier;
     multiplier = std::max(before + strength[static_cast<Eigen::Index>(j)], 0.0);
-    move(active_[j], answer * (before - multiplier), position);
+    move(active_[j].limit, active_[j].column, answer * (before - multiplier), position);
   }
 }
 
@@ -135,8 +175,8 @@ void ActiveLimits::stop(const LinkSystem& system, const Vectors& directions, con
                         std::vector<double>& links, Vectors& velocity) {
   active_.clear();
   for (std::size_t i = 0; i < limits_.size(); ++i) {
-    if (pushes_[i].multiplier == 0.0) continue;
-    const LimitAngle along = outward(i, position);
+    if (pushes_[i].multiplier == 0.0 || limits_[i].compliance > 0.0) continue;
+    const LimitAngle along = outward(i, pushes_[i].sign, position);
     active_.push_back({i, along, along, 0.0, 0.0});
     active_.back().wanted = change(active_.back(), velocity);
   }
@@ -146,7 +186,7 @@ void ActiveLimits::stop(const LinkSystem& system, const Vectors& directions, con
     Eigen::Index pulling = 0;
     if (active_.empty() || !(strength.minCoeff(&pulling) < 0.0)) {
       for (std::size_t j = 0; j < active_.size(); ++j)
-        move(active_[j], -strength[static_cast<Eigen::Index>(j)], velocity);
+        move(active_[j].limit, active_[j].column, -strength[static_cast<Eigen::Index>(j)], velocity);
       return;
     }
     active_.erase(active_.begin() + pulling);

@@ -23,8 +23,20 @@ class ActiveLimits {
 
   bool none() const { return limits_.empty(); }
 
-  /// To be called at the start of a step of h seconds.
+  /// To be called at the start of a step of h seconds, where soft limits are to push as hard as they must at
+  /// its end: α̃ = α/h².
   void begin_step(double h);
+
+  /// The same where they are to push with ς τ₀ + (1 − ς) τ₁ in each of the two half kicks of a step of second
+  /// order, τ₀ and τ₁ being their torques at its start and end: moves the positions, which are about to be
+  /// solved, by (h²/2) ς τ₀ along the gradients at `start`; what is left to solve for, μ = (h²/2)(1 − ς) τ₁,
+  /// has α̃ = 2α/((1 − ς) h²). ς = 1/(2 (1 + ω²h²)²), with ω the limit's frequency between its masses: the
+  /// trapezoidal rule, which damps nothing, where the step is short beside the limit's vibration, and where
+  /// it is long the implicit one, which throws nothing back harder than it came.
+  void begin_half_kicks(double h, const Vectors& start, Vectors& position);
+
+  /// The second of those half kicks, at the end of the step: v ← v − answer (h/2)(ς τ₀ + (1 − ς) τ₁) W G₁ᵀ.
+  void kick(const Vectors& position, double answer, Vectors& velocity) const;
 
   /// Finds those that are beyond their range at these positions, or have pushed in this step already, with
   /// gradients there as rows, and as columns those at `start` where that is given. Returns the largest
@@ -36,8 +48,9 @@ class ActiveLimits {
   void push(const LinkSystem& system, const Vectors& rows, const Vectors& columns, double answer,
             std::vector<double>& links, Vectors& position);
 
-  /// Takes from velocities what goes into the stops that have pushed in this step, together with the links:
-  /// λ takes the place of J v in `links`, and v ← v − W Gᵀ μ is made. A stop that would pull is left.
+  /// Takes from velocities what goes into the hard stops that have pushed in this step, together with the
+  /// links: λ takes the place of J v in `links`, and v ← v − W Gᵀ μ is made. A stop that would pull is left.
+  /// Soft ones are springs, and leave velocities to kick().
   void stop(const LinkSystem& system, const Vectors& directions, const Vectors& position,
             std::vector<double>& links, Vectors& velocity);
 
@@ -55,10 +68,11 @@ class ActiveLimits {
     double sign = 1.0;
   };
 
-  LimitAngle outward(std::size_t limit, const Vectors& position) const;
+  LimitAngle outward(std::size_t limit, double sign, const Vectors& position) const;
+  double own_weight(std::size_t limit, const LimitAngle& along) const;
   double product(const Row& row, const Row& column) const;
   double change(const Row& row, const Vectors& velocity) const;
-  void move(const Row& row, double strength, Vectors& target) const;
+  void move(std::size_t limit, const LimitAngle& column, double strength, Vectors& target) const;
   Vectors reach(const Row& column) const;
   double felt(const Row& row, const SystemLinks& links, const Vectors& columns,
               const std::vector<double>& strength) const;
@@ -68,6 +82,8 @@ class ActiveLimits {
   const std::vector<Limit>& limits_;
   const std::vector<double>& inverse_mass_;
   std::vector<Push> pushes_;
+  std::vector<Push> start_pushes_;  // of soft limits at the start of a step with half kicks
+  std::vector<double> share_;       // of h² τ₁ that μ is
   std::vector<Row> active_;
   double h_ = 0.0;  // s
 };

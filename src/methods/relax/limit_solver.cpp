@@ -9,15 +9,21 @@ LimitSolver::LimitSolver(const Model& model)
 
 void LimitSolver::begin_step() {
   std::fill(pushes_.begin(), pushes_.end(), Push{});
+  pushed_ = false;
 }
 
 void LimitSolver::solve_along(const Vectors& start, Vectors& position, double h, double answer) {
   for (std::size_t i = 0; i < limits_.size(); ++i) {
     const Limit& limit = limits_[i];
     Push& push = pushes_[i];
-    const Overshoot beyond = overshoot(limit, limit_angle(limit, position));
-    if (beyond.sign != push.sign) push = {0.0, beyond.sign};
+    const double now = limit_angle(limit, position);
+    Overshoot beyond = overshoot(limit, now);
+    // What pushes at one end is first taken back there before the other end may push.
+    if (beyond.sign != push.sign && push.multiplier < 0.0)
+      beyond = {excess_at(limit, now, push.sign), push.sign};
+    push.sign = beyond.sign;
     if (beyond.size <= 0.0 && push.multiplier == 0.0) continue;
+    pushed_ = true;
     const LimitAngle angle = limit_gradients(limit, position);
     const LimitAngle along = &start == &position ? angle : limit_gradients(limit, start);
     double weight = 0.0;

@@ -25,6 +25,9 @@ class LimitSolver {
   /// place of Σ wᵢ|∇ᵢC|²: what SHAKE does to links.
   void solve_along(const Vectors& start, Vectors& position, double h, double answer);
 
+  /// Whether any of them has pushed in this step.
+  bool pushed() const { return pushed_; }
+
   std::int64_t size() const { return static_cast<std::int64_t>(limits_.size()); }
 
  private:
@@ -37,6 +40,7 @@ class LimitSolver {
   const std::vector<Limit>& limits_;
   const std::vector<double>& inverse_mass_;
   std::vector<Push> pushes_;
+  bool pushed_ = false;
 };
 
 }  // namespace taut

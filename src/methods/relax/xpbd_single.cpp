@@ -14,6 +14,7 @@
 #include "file_order_stepper.h"
 #include "forces/forces.h"
 #include "relax/link_order.h"
+#include "relax/pass_control.h"
 
 namespace taut {
 namespace {
@@ -39,12 +40,14 @@ void widen(const std::vector<Vec3f>& from, Vectors& to) {
 
 class SingleXpbdStepper final : public FileOrderStepper {
  public:
-  SingleXpbdStepper(const Model& model, int passes) : model_(model), passes_(passes), ground_(model) {}
+  SingleXpbdStepper(const Model& model, PassCounts passes)
+      : model_(model), passes_(model, passes), ground_(model) {}
 
  private:
   void links_changed(const State& state) override {
     links_.clear();
     index_ = coloured_order(model_, state).links;
+    passes_.links_changed(index_);
     for (const Index link : index_) {
       const Index a = model_.links.a[link], b = model_.links.b[link];
       links_.push_back({a, b, static_cast<float>(model_.links.length[link]),
@@ -66,17 +69,19 @@ class SingleXpbdStepper final : public FileOrderStepper {
     for (std::size_t i = 0; i < position_.size(); ++i) position_[i] = start_[i] + step * position_[i];
     put_pins(next.position);
     multipliers_.assign(links_.size(), 0.0F);
-    for (int pass = 0; pass < passes_; ++pass) {
+    int made = 0;
+    bool touched = false;
+    for (; passes_.another(made, touched, state.position, next.position, h); ++made) {
       for (std::size_t i = 0; i < links_.size(); ++i) solve(i, step);
-      if (!ground_.empty()) keep_out(state.position, next.position);
+      if (!ground_.empty()) touched = keep_out(state.position, next.position) || touched;
     }
     widen(position_, next.position);
     for (std::size_t i = 0; i < position_.size(); ++i)
       next.velocity.set(i, Vec3f((position_[i] - start_[i]) / step).cast<double>());
     place_pins(model_, next.time, next.position, next.velocity);
     StepReport report;
-    report.rounds = passes_;
-    report.link_solves = static_cast<std::int64_t>(links_.size()) * passes_;
+    report.rounds = made;
+    report.link_solves = static_cast<std::int64_t>(links_.size()) * made;
     if (!all_finite(next)) {
       report.status = StepStatus::not_finite;
       return report;
@@ -90,10 +95,11 @@ class SingleXpbdStepper final : public FileOrderStepper {
     for (const DrivenPin& pin : model_.driven_pins) position_[pin.mass] = places.at(pin.mass).cast<float>();
   }
 
-  void keep_out(const Vectors& start, Vectors& work) {
+  bool keep_out(const Vectors& start, Vectors& work) {
     widen(position_, work);
-    ground_.solve(start, work);
+    const bool touched = ground_.solve(start, work);
     position_ = rounded(work);
+    return touched;
   }
 
   // Equations as in xpbd.cpp.
@@ -115,7 +121,7 @@ class SingleXpbdStepper final : public FileOrderStepper {
   }
 
   const Model& model_;
-  int passes_;
+  PassControl passes_;
   GroundContacts ground_;
   std::vector<Index> index_;  // in the Model, of each link
   std::vector<SingleLink> links_;
@@ -125,7 +131,7 @@ class SingleXpbdStepper final : public FileOrderStepper {
 
 }  // namespace
 
-std::unique_ptr<Stepper> make_single_xpbd(const Model& model, int passes) {
+std::unique_ptr<Stepper> make_single_xpbd(const Model& model, PassCounts passes) {
   return std::make_unique<SingleXpbdStepper>(model, passes);
 }
 

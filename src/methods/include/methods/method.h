@@ -22,6 +22,7 @@ struct Param {
   bool whole = false;                         ///< only whole numbers
   std::span<const std::string_view> choices;  ///< the first one is the default
   std::string_view help;
+  std::string_view follows = {};  ///< left out, it takes the value given to this one, where there is one
 };
 
 /// What theory says about a method's longest step, or about how it fails whatever the step.

@@ -55,6 +55,10 @@ LimitAngle limit_gradients(const Limit& limit, const Vectors& position);
 /// Beyond which end of the limit an angle is; for a hinge, round the circle the shorter way.
 Overshoot overshoot(const Limit& limit, double angle);
 
+/// How far an angle is beyond one end of the limit, +1 the upper or −1 the lower, whichever is nearer; for a
+/// hinge, round the circle the shorter way.
+double excess_at(const Limit& limit, double angle, double sign);
+
 /// Right-handed unit axes of the frame of three points as columns: x from o to p, z across the plane of the
 /// three. Not finite where they lie on a line.
 Eigen::Matrix3d frame_axes(const Vec3& o, const Vec3& p, const Vec3& q);

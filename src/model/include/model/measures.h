@@ -18,7 +18,8 @@ Strain link_strain(const Model& model, const State& state);
 struct Energy {
   double kinetic = 0.0;
   double potential = 0.0;  ///< in gravity
-  double elastic = 0.0;    ///< k (distance − length)²/2 of links with stiffness
+  double elastic = 0.0;  ///< k (distance − length)²/2 of links with stiffness, excess²/(2 compliance) of soft
+                         ///< limits
 
   double total() const { return kinetic + potential + elastic; }
 };
