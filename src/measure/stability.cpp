@@ -18,7 +18,7 @@ constexpr std::int64_t instants = 20;
 
 // Methods that know no tensions don't know the work of driven pins, so their energy can't be judged there.
 bool knows_pin_work(const Model& model, const Method& method) {
-  return method.can.break_tension || model.driven_pins.empty();
+  return method.can.tension_order > 0 || model.driven_pins.empty();
 }
 
 // |gain − work done| over the energy scale; 0 where there is nothing to compare with, as in a scene at rest

@@ -108,7 +108,7 @@ class VerletStepper final : public FileOrderStepper {
 constexpr std::array params{steps_per_second_param(600.0), passes_param(1.0), impact_passes_param()};
 
 std::unique_ptr<Stepper> make(const Model& model, const Settings& settings, const Execution&) {
-  return std::make_unique<VerletStepper>(model, static_cast<int>(settings.number("passes")));
+  return std::make_unique<VerletStepper>(model, pass_counts(settings));
 }
 
 }  // namespace
