@@ -118,7 +118,6 @@ class ShakeStepper final : public SwappingStepper {
     if (move(state, h, state.time + h, probe)) put_start_tensions(h, state.unanswered_kick, state.tension);
     position_ = std::move(before);  // what undo() needs
     velocity_ = std::move(velocity_before);
-    report.rounds += probe.rounds;
     report.link_solves += probe.link_solves;
   }
 

@@ -11,6 +11,7 @@
 #include "energy_guard.h"
 #include "methods/breaking.h"
 #include "methods/registry.h"
+#include "model/parts.h"
 
 namespace taut {
 namespace {
@@ -61,7 +62,8 @@ Run::Run(const Model& model, const State& start, const Settings& settings, const
       stepper_(method_.make(model, settings_, execution)),
       ledger_(model, saved.state, saved.work),
       report_(saved.report) {
-  if (policy.watch_energy && method_.can.takes_steps_back)
+  // Without rigid links there is nothing that a shorter step would solve better.
+  if (policy.watch_energy && method_.can.takes_steps_back && has_rigid_links(model))
     guard_ = std::make_unique<EnergyGuard>(model, start);
   stepper_->load(saved.state);
   state_ = &stepper_->store();

@@ -7,6 +7,7 @@ RunReport simulate(const Model& model, State& state, const Settings& settings, s
   Run run(model, state, settings, policy);
   while (run.steps() < steps && run.step()) {
   }
+  run.holds_together();
   state = run.state();
   return run.report();
 }

@@ -7,7 +7,6 @@ namespace {
 
 std::vector<Ground> planes_of(const Model& model) {
   std::vector<Ground> planes;
-  if (model.plane) planes.push_back({model.plane->point, model.plane->normal, true});
   for (const Collider& collider : model.colliders)
     if (const auto* plane = std::get_if<HalfSpace>(&collider.shape))
       planes.push_back({plane->point, plane->normal, true});

@@ -193,7 +193,7 @@ TEST(Guard, FailureKeepsTheStateAndNamesTheLink) {
   description.chains[0].last_motion.path = {{0.0, {0.4, 0.0, 0.0}}, {1.0, {0.8, 0.0, 0.0}}};
   const Built built = build_valid(description);
   for (const char* method : {"rattle", "newton"}) {
-    Run run(built.model, built.start, settings(method, 100.0));
+    taut::Run run(built.model, built.start, settings(method, 100.0));
     while (run.steps() < 100 && run.step()) {
     }
     EXPECT_EQ(run.report().end, RunEnd::step_failed) << "no chain reaches pins farther apart than it is long";

@@ -29,7 +29,7 @@ inline Settings settings(std::string method, double steps_per_second, double pas
 
 /// Simulates for a duration that is a whole number of steps; every step must be solved.
 inline State run(const Built& built, const Settings& settings, double duration) {
-  Run run(built.model, built.start, settings);
+  taut::Run run(built.model, built.start, settings);
   const auto steps = std::llround(duration * run.settings().steps_per_second());
   while (run.steps() < steps && run.step()) {
   }

@@ -63,12 +63,12 @@ TEST_P(GoldenHashes, HoldWithAndWithoutAPauseInAnotherProcess) {
     SCOPED_TRACE(method.name);
     const Settings settings = settings_for(scene, method);
     if (!refusals(scene.model, scene.start, settings).empty()) continue;
-    Run straight(scene.model, scene.start, settings), paused(scene.model, scene.start, settings);
+    taut::Run straight(scene.model, scene.start, settings), paused(scene.model, scene.start, settings);
     const std::string hash = hash_after(straight, steps);
     hash_after(paused, steps / 2);
     const std::string saved = to_bytes(paused.save());
     EXPECT_EQ(in_other_process([&] {
-                Run resumed(scene.model, scene.start, settings, run_state_from(saved, scene.model));
+                taut::Run resumed(scene.model, scene.start, settings, run_state_from(saved, scene.model));
                 return hash_after(resumed, steps);
               }),
               hash);

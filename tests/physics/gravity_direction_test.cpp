@@ -22,6 +22,11 @@ Scene turned(Scene scene, const Eigen::Matrix3d& turn) {
   scene.model.gravity = turn * scene.model.gravity;
   for (std::size_t i = 0; i < scene.start.position.size(); ++i)
     scene.start.position.set(i, turn * scene.start.position.at(i));
+  for (DrivenPin& pin : scene.model.driven_pins) {
+    auto& path = std::get<Path>(pin.motion);
+    for (Knot& knot : path.knots) knot.position = turn * knot.position;
+    for (Vec3& velocity : path.velocities) velocity = turn * velocity;
+  }
   return scene;
 }
 

@@ -8,7 +8,7 @@ namespace {
 
 // Total energy gained over a run, and what the ledger says it should be.
 std::pair<double, double> gain_and_ledger(const Built& built, const Settings& given, int steps) {
-  Run run(built.model, built.start, given);
+  taut::Run run(built.model, built.start, given);
   while (run.steps() < steps && run.step()) {
   }
   EXPECT_EQ(run.failure(), "");

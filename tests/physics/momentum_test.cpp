@@ -91,9 +91,9 @@ class Conserving : public ::testing::TestWithParam<std::string> {
     State state = built.start;
     std::vector<double> shares;
     for (double time = 0.125; time <= duration; time += 0.125) {
-      EXPECT_EQ(
-          simulate(built.model, state, settings(GetParam(), rate, 20.0), std::llround(0.125 * rate)).status,
-          StepStatus::done);
+      EXPECT_EQ(simulate(built.model, state, settings(GetParam(), rate, 20.0), std::llround(0.125 * rate))
+                    .counts.status,
+                StepStatus::done);
       State shown = state;
       if (can().half_kicked) shown.velocity = projected_velocities(built.model, state);
       shares.push_back((energy(built.model, shown).total() - energy(built.model, built.start).total()) /

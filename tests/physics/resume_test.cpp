@@ -22,8 +22,8 @@ void make_steps(Run& run, std::int64_t until) {
 }
 
 // Saves after every so many steps, and lets another process go on from there to the end.
-Run expect_resumable(const Built& built, const Settings& how, std::int64_t steps, std::int64_t every) {
-  Run run(built.model, built.start, how);
+taut::Run expect_resumable(const Built& built, const Settings& how, std::int64_t steps, std::int64_t every) {
+  taut::Run run(built.model, built.start, how);
   std::vector<std::string> saved;
   while (run.steps() < steps && !run.ended()) {
     make_steps(run, std::min(steps, run.steps() + every));
@@ -31,7 +31,7 @@ Run expect_resumable(const Built& built, const Settings& how, std::int64_t steps
   }
   for (const std::string& bytes : saved)
     EXPECT_EQ(in_other_process([&] {
-                Run resumed(built.model, built.start, how, run_state_from(bytes, built.model));
+                taut::Run resumed(built.model, built.start, how, run_state_from(bytes, built.model));
                 make_steps(resumed, steps);
                 return hash_of(resumed);
               }),
@@ -47,6 +47,8 @@ TEST(Resume, ThroughBreaks) {
   net.name = "net";
   net.rows = 6;
   net.columns = 6;
+  net.to = {0.5, 0.0, 0.0};
+  net.down = {0.0, -0.5, 0.0};
   net.mass = 0.5;
   net.pinned = {"top"};
   net.properties.break_tension = 4.0;
@@ -58,7 +60,7 @@ TEST(Resume, ThroughBreaks) {
     Description variant = description;
     if (!method.can.rigid) variant.sheets[0].properties.stiffness = 2000.0;
     const Built built = build_valid(variant);
-    const Run run = expect_resumable(built, settings(std::string(method.name), 1920.0), 960, 96);
+    const taut::Run run = expect_resumable(built, settings(std::string(method.name), 1920.0), 960, 96);
     EXPECT_GT(broken_links(run.state()), 3U) << method.name;
   }
 }
@@ -66,13 +68,13 @@ TEST(Resume, ThroughBreaks) {
 TEST(Resume, ThroughHalvings) {
   Description description = level_chain(40, 1.0 / 40.0);
   description.chains[0].last_mass = 50.0;
-  const Run run = expect_resumable(build_valid(description), settings("newton", 60.0), 60, 7);
+  const taut::Run run = expect_resumable(build_valid(description), settings("newton", 60.0), 60, 7);
   EXPECT_GT(run.report().halved_steps, 0);
 }
 
 TEST(Resume, OfAnotherSceneOrOfNothingIsRefused) {
   const Built chain = build_valid(level_chain(3, 0.1)), longer = build_valid(level_chain(4, 0.1));
-  const std::string bytes = to_bytes(Run(chain.model, chain.start, settings("xpbd", 60.0)).save());
+  const std::string bytes = to_bytes(taut::Run(chain.model, chain.start, settings("xpbd", 60.0)).save());
   EXPECT_THROW(run_state_from(bytes, longer.model), BadRequest);
   EXPECT_THROW(run_state_from("hello", chain.model), BadRequest);
   for (std::size_t size = 0; size < bytes.size(); size += 7)

@@ -81,7 +81,7 @@ TEST(Curtain, RattleHoldsThroughHalvings) {
 // Without halving it stops there, with a sentence that names time, step, link and what to try.
 TEST(Curtain, RattleWithoutHalvingStopsWithTheReason) {
   const Built built = build_valid(drawn_curtain(16, 5));
-  Run run(built.model, built.start, settings("rattle", 60.0), chart_policy);
+  taut::Run run(built.model, built.start, settings("rattle", 60.0), chart_policy);
   while (run.steps() < 180 && run.step()) {
   }
   ASSERT_EQ(run.report().end, RunEnd::step_failed);

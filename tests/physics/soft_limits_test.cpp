@@ -98,15 +98,23 @@ class SoftLimits : public ::testing::TestWithParam<std::tuple<std::string, Limit
   LimitKind kind() const { return std::get<1>(GetParam()); }
 };
 
-// The arm comes to rest where the excess is compliance × torque.
+// The arm comes to rest where the excess is compliance × torque; where velocities hold half a kick drag takes
+// its part of that, and relaxation leaves a rest: both go with the step.
 TEST_P(SoftLimits, GiveWayByComplianceTimesTorque) {
   Description description = arm_on(kind(), soft);
   description.drag = 20.0;
   const Built built = build_valid(description);
+  std::vector<double> errors;
   for (const double rate : {250.0, 1000.0}) {
-    const State end = run(built, settings(method(), rate, 20.0), 4.0);
-    const double excess = below_level(end) - stop;
-    EXPECT_NEAR(excess, soft * g * std::cos(stop + excess), 1e-7) << rate << " steps/s";
+    const double excess = below_level(run(built, settings(method(), rate, 20.0), 4.0)) - stop;
+    errors.push_back(std::abs(excess - soft * g * std::cos(stop + excess)));
+  }
+  if (method() == "rattle" || method() == "newton") {
+    EXPECT_LT(errors[0], 1e-7) << "rad";
+    EXPECT_LT(errors[1], 1e-7) << "rad";
+  } else {
+    EXPECT_LT(errors[1], 0.3 * errors[0]) << "rad";
+    EXPECT_LT(errors[1], 2e-3) << "rad";
   }
 }
 
@@ -163,15 +171,18 @@ std::vector<std::string> limit_methods() {
   return methods_that([](const Capabilities& can) { return can.limits; });
 }
 
+std::string soft_case_name(const ::testing::TestParamInfo<std::tuple<std::string, LimitKind>>& each) {
+  const LimitKind kind = std::get<1>(each.param);
+  return std::get<0>(each.param) + (kind == LimitKind::angle   ? "_angle"
+                                    : kind == LimitKind::hinge ? "_hinge"
+                                                               : "_cone");
+}
+
 INSTANTIATE_TEST_SUITE_P(Registry, SoftLimits,
                          ::testing::Combine(::testing::ValuesIn(limit_methods()),
                                             ::testing::Values(LimitKind::angle, LimitKind::hinge,
                                                               LimitKind::cone)),
-                         [](const auto& info) {
-                           constexpr std::array kinds{"angle", "hinge", "cone"};
-                           return std::get<0>(info.param) + "_" +
-                                  kinds.at(static_cast<std::size_t>(std::get<1>(info.param)));
-                         });
+                         soft_case_name);
 
 // What goes into the limit comes out of it again.
 TEST(SoftLimitEnergy, IsKeptByRattle) {

@@ -177,7 +177,7 @@ TEST(Surface, ShowsItsOtherColourFromBehind) {
 
 TEST(Shadow, FallsWhereTheLightPutsIt) {
   Built scene = row_of_masses({{0, 1, 0}});
-  scene.model.plane = Plane{};
+  scene.model.colliders = {Collider{HalfSpace{}}};
   Look look = bare_look();
   look.masses = look.ground = look.shadows = true;
   look.mass_radius = 0.3;
@@ -208,7 +208,7 @@ TEST(Ground, ASolidOneIsASurfaceAndADrawnOneAFewFaintLines) {
   Built scene = row_of_masses({{0, 0, 0}});
   const CameraPose pose{{0.0, 2.0, 5.0}, {0.0, 0.0, 0.0}, 38.0};
   const Image drawn = picture_of_ground(scene, pose);
-  scene.model.plane = Plane{};
+  scene.model.colliders = {Collider{HalfSpace{}}};
   const Image solid = picture_of_ground(scene, pose);
   // Of the lower half, all that is near: how much of it is clearly darker than the mist (brightness 237)?
   int darker_drawn = 0, darker_solid = 0, darkest_drawn = 255;
@@ -230,7 +230,7 @@ TEST(Ground, APlaneIsDrawnWhereItIs) {
   Built scene = row_of_masses({{0, 0, 0}});
   const CameraPose pose{{0.0, 0.0, 5.0}, {0.0, 0.0, 0.0}, 38.0};
   // Rising to the right at 45 degrees through the middle of the picture.
-  scene.model.plane = Plane{{0, 0, 0}, Vec3(-1, 1, 0).normalized(), 0.5};
+  scene.model.colliders = {Collider{HalfSpace{{0, 0, 0}, Vec3(-1, 1, 0).normalized()}}};
   EXPECT_EQ(picture_of_ground(scene, pose).pixels,
             [&] {
               Look none = bare_look();
@@ -239,7 +239,7 @@ TEST(Ground, APlaneIsDrawnWhereItIs) {
             }()
                 .pixels)
       << "the eye lies in it, so there is nothing to see";
-  scene.model.plane->point = {0.0, -0.5, 0.0};
+  std::get<HalfSpace>(scene.model.colliders[0].shape).point = {0.0, -0.5, 0.0};
   const Image image = picture_of_ground(scene, pose);
   const int below = channel_at(image, size.width / 2 + 80, size.height / 2 + 10, 1);
   const int above = channel_at(image, size.width / 2 - 80, size.height / 2 - 10, 1);

@@ -67,7 +67,7 @@ TEST_P(BadState, LinkedMassesAtOnePointStayFiniteOrAreAnError) {
   const Settings complete = complete_settings({GetParam(), {}});
   State state = scene.start;
   state.position.set(2, state.position.at(1));
-  Run run(scene.model, state, complete);
+  taut::Run run(scene.model, state, complete);
   for (int step = 0; step < 100; ++step) {
     const State before = run.state();
     if (!run.step()) {

@@ -19,7 +19,7 @@ Description spring(bool thrown, double gravity) {
   Description description = pendulum();
   description.gravity = {0.0, -gravity, 0.0};
   description.masses[1].position = {0.0, thrown ? -1.0 : -1.5, 0.0};
-  if (thrown) description.masses[1].velocity = {0.0, 0.5 * std::sqrt(1000.0), 0.0};
+  if (thrown) description.masses[1].velocity = {0.0, 0.15 * std::sqrt(1000.0), 0.0};
   description.links[0].length = 1.0;
   description.links[0].properties.stiffness = 1000.0;
   return description;
@@ -82,7 +82,7 @@ TEST(EnergyGuard, AStretchedSpringKeepsItsSwing) {
   const Built built = build_valid(free_spring());
   for (const char* method : {"rattle", "shake"}) {
     const double frequency = highest_spring_frequency(built.model, built.start);
-    Run run(built.model, built.start, settings(method, frequency / 1.05));
+    taut::Run run(built.model, built.start, settings(method, frequency / 1.05));
     const double at_start = energy(built.model, built.start).total();
     double least = infinity, most = 0.0;
     while (run.steps() < 10'000 && run.step()) {
@@ -92,7 +92,8 @@ TEST(EnergyGuard, AStretchedSpringKeepsItsSwing) {
     }
     EXPECT_EQ(run.failure(), "");
     EXPECT_NEAR(least, 1.0 - 0.25 * 1.05 * 1.05, 5e-3) << method;
-    EXPECT_NEAR(most, 1.0, 1e-9) << method;
+    EXPECT_LE(most, 1.0 + 1e-9) << method;
+    EXPECT_GT(most, 0.9999) << method;
   }
 }
 
@@ -101,7 +102,7 @@ TEST(EnergyGuard, AnUnstableSpringEndsInTheError) {
     const Built built = build_valid(description);
     const double frequency = highest_spring_frequency(built.model, built.start);
     for (const double frequency_times_step : {2.05, 2.5, 4.0}) {
-      Run run(built.model, built.start, settings("spring-explicit", frequency / frequency_times_step));
+      taut::Run run(built.model, built.start, settings("spring-explicit", frequency / frequency_times_step));
       while (run.steps() < 2000 && run.step()) {
       }
       EXPECT_EQ(run.report().end, RunEnd::diverged) << frequency_times_step;
@@ -117,8 +118,8 @@ TEST(EnergyGuard, RigidLinksNeverGainMoreThanATenth) {
   const Built built = build_valid(description);
   for (const char* method : {"rattle", "shake", "newton"})
     for (const double rate : {120.0, 600.0}) {
-      Run run(built.model, built.start, settings(method, rate));
-      while (run.steps() < rate && run.step()) {
+      taut::Run run(built.model, built.start, settings(method, rate));
+      while (run.state().time < 1.0 && run.step()) {
       }
       EXPECT_LE(run.measures(run.state()).energy_error, 0.1 + 1e-9) << method << " at " << rate;
     }
@@ -131,7 +132,7 @@ TEST(EnergyGuard, ADrivenPinWithoutGravityIsNoReasonToStop) {
   description.masses[0].motion.sinusoid = SinusoidSpec{{0.0, 0.3, 0.0}, 6.0, 0.0};
   const Built built = build_valid(description);
   for (const std::string& method : rigid_methods()) {
-    Run run(built.model, built.start, settings(method, 600.0));
+    taut::Run run(built.model, built.start, settings(method, 600.0));
     while (run.steps() < 6000 && run.step()) {
     }
     EXPECT_EQ(run.failure(), "") << method;
@@ -161,7 +162,7 @@ TEST(EnergyGuard, NothingIsRefusedInTheMiddleOfARun) {
   const Built built = build_valid(description);
   const double frequency = highest_spring_frequency(built.model, built.start);
   for (const char* method : {"rattle", "shake"}) {
-    Run run(built.model, built.start, settings(method, frequency / 1.98));
+    taut::Run run(built.model, built.start, settings(method, frequency / 1.98));
     EXPECT_NO_THROW({
       while (run.steps() < 2000 && run.step()) {
       }

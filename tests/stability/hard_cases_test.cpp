@@ -51,13 +51,14 @@ class HardCases : public ::testing::TestWithParam<std::string> {
     const Settings complete = complete_settings(settings(GetParam(), rate));
     const std::vector<std::string> problems = refusals(built.model, built.start, complete);
     if (!problems.empty()) return problems.front();
-    Run run(built.model, built.start, complete);
+    taut::Run run(built.model, built.start, complete);
     const auto steps = std::llround(hard.duration * rate);
     while (run.steps() < steps) {
       const State before = run.state();
       if (!run.step()) {
-        if (run.report().end == RunEnd::step_failed)
+        if (run.report().end == RunEnd::step_failed) {
           EXPECT_TRUE(same_bits(run.state(), before)) << "the last good state is not kept";
+        }
         EXPECT_TRUE(all_finite(run.state()));
         return run.failure();
       }
@@ -66,6 +67,7 @@ class HardCases : public ::testing::TestWithParam<std::string> {
         return std::nullopt;
       }
     }
+    if (!run.holds_together()) return run.failure();
     const State& state = run.state();
     const RunMeasures measures = run.measures(state);
     if (hard.lightest_may_fly) {

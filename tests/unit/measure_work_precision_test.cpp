@@ -103,9 +103,11 @@ std::vector<std::string> walked(const Built& built, const Truth& truth, double m
   std::vector<std::string> points;
   while (const auto point = walk.next()) {
     const MethodVariant& curve = curves[point->curve];
-    points.push_back(curve.name + " " + std::to_string(point->fineness) + " " + std::to_string(point->row));
-    walk.record(
-        judge_run(built.model, built.start, truth, settings_at_place(curve, point->fineness, point->row)));
+    const Settings settings = settings_at_place(curve, point->fineness, point->row);
+    const double passes = curve.passes ? curve.passes->value(point->row) : 1.0;
+    points.push_back(curve.name + " " + std::to_string(settings.steps_per_second()) + " " +
+                     std::to_string(std::lround(passes)));
+    walk.record(judge_run(built.model, built.start, truth, settings));
   }
   const GridWalk::Counts counts = walk.counts();
   EXPECT_EQ(counts.run, points.size());

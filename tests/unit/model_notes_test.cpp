@@ -92,7 +92,7 @@ TEST(Notes, FollowRigidLinksFromPinToPin) {
   description.links = {LinkSpec{"rope.10", "hook", std::nullopt, {}}};
   std::vector<Problem> notes = notes_of(description);
   ASSERT_EQ(notes.size(), 1U);
-  expect_note(notes[0], "link", "", {"pin \"rope.0\" to pin \"hook\"", "3 m"});
+  expect_note(notes[0], "chain", "", {"pin \"rope.0\" to pin \"hook\"", "3 m"});
   description.links[0].properties.stiffness = 100.0;
   EXPECT_TRUE(notes_of(description).empty()) << "a spring gives way";
 

@@ -10,7 +10,8 @@ struct RunPolicy {
   /// How often in a row a step may be halved that a method of Capabilities::takes_steps_back can't solve; 0:
   /// never, and the first one ends the run.
   int most_halvings = 12;
-  /// Whether a step of such a method fails, too, when it makes energy out of nothing (EnergyGuard).
+  /// Whether a step of such a method fails, too, when it makes energy out of nothing (EnergyGuard). Only
+  /// where there are rigid links.
   bool watch_energy = true;
   /// Energy of motion over what there can be (Run::energy_at_hand()) beyond which the run has diverged.
   double diverged_beyond = divergence;
