@@ -33,8 +33,8 @@
 #include "methods/method.h"
 #include "parameters.h"
 #include "relax/limit_solver.h"
-#include "relax/link_order.h"
 #include "relax/pass_control.h"
+#include "relax/relaxation.h"
 
 namespace taut {
 namespace {
@@ -44,6 +44,7 @@ class ShakeStepper final : public SwappingStepper {
   ShakeStepper(const Model& model, PassCounts passes, double tolerance)
       : model_(model),
         passes_(model, passes),
+        relaxation_(model, Relaxation<double>::Visits::rigid),
         tolerance_(tolerance),
         kicks_(model, 2.0),
         limits_(model),
@@ -51,11 +52,9 @@ class ShakeStepper final : public SwappingStepper {
 
  private:
   void links_changed(const State& state) override {
-    std::vector<Index> rigid;
-    for (const Index link : coloured_order(model_, state).links)
-      if (model_.links.rigid(link)) rigid.push_back(link);
-    links_ = gather(model_, rigid);
-    passes_.links_changed(rigid);
+    relaxation_.links_changed(state);
+    links_ = gather(model_, relaxation_.links());
+    passes_.links_changed(relaxation_.links());
     kicks_.links_changed(state);
   }
 
@@ -89,7 +88,7 @@ class ShakeStepper final : public SwappingStepper {
   }
 
   // Positions at the end of a step, in position_, with the velocities on the way in kicked_ and what links
-  // did in multipliers_.
+  // did in the multipliers.
   bool move(const State& state, double h, double end_time, StepReport& report) {
     link_vectors(links_, state.position, start_direction_);
     met_velocity_ = state.velocity;
@@ -103,11 +102,11 @@ class ShakeStepper final : public SwappingStepper {
     return relax(state.position, h, report);
   }
 
-  // What multipliers_ say of the start of a step of h seconds that has also answered the kick before it.
+  // What the multipliers say of the start of a step of h seconds that has also answered the kick before it.
   void put_start_tensions(double h, double kick_before, std::vector<double>& tension) const {
     const double scale = (1.0 + 0.5 * h * model_.drag) / (h * (0.5 * h + kick_before));
     for (std::size_t i = 0; i < links_.size(); ++i)
-      tension[links_.link[i]] = multipliers_[i] * start_direction_.at(i).norm() * scale;
+      tension[links_.link[i]] = relaxation_.multipliers()[i] * start_direction_.at(i).norm() * scale;
   }
 
   void probe_tensions(State& state, double h, StepReport& report) {
@@ -122,44 +121,33 @@ class ShakeStepper final : public SwappingStepper {
   }
 
   bool relax(const Vectors& start, double h, StepReport& report) {
-    multipliers_.assign(links_.size(), 0.0);
+    relaxation_.begin_step();
     for (int made = 0; passes_.another(made, limits_.pushed(), start, position_, h); ++made) {
-      double worst = 0.0;
-      for (std::size_t i = 0; i < links_.size(); ++i) {
-        const Index a = links_.a[i], b = links_.b[i];
-        const double squared = links_.length[i] * links_.length[i];
-        const Vec3 direction = start_direction_.at(i);
-        const Vec3 difference = position_.at(a) - position_.at(b);
-        const double along = difference.dot(direction);
-        if (!(along > 0.0)) {
-          report.status = std::isfinite(along) ? StepStatus::direction_lost : StepStatus::not_finite;
-          report.worst_link = links_.link[i];
-          return false;
-        }
-        const double excess = difference.squaredNorm() - squared;
-        worst = std::max(worst, std::abs(excess) / squared);
-        const double q = excess / (2.0 * (links_.weight_a[i] + links_.weight_b[i]) * along);
-        multipliers_[i] += q;
-        position_.add(a, (-links_.weight_a[i] * q) * direction);
-        position_.add(b, (links_.weight_b[i] * q) * direction);
+      const AlongStart found =
+          relaxation_.pass_along(coordinates(std::as_const(start_direction_)), coordinates(position_));
+      if (found.lost) {
+        report.status = std::isfinite(found.lost_along) ? StepStatus::direction_lost : StepStatus::not_finite;
+        report.worst_link = found.lost_link;
+        return false;
       }
       limits_.solve_along(start, position_, h, 1.0);
       ++report.rounds;
-      report.link_solves += static_cast<std::int64_t>(links_.size()) + limits_.size();
-      if (worst <= tolerance_) break;
+      report.link_solves += relaxation_.size() + limits_.size();
+      if (found.worst <= tolerance_) break;
     }
     return true;
   }
 
   const Model& model_;
   PassControl passes_;
+  Relaxation<double> relaxation_;
   double tolerance_;
   HalfKicks kicks_;
   LimitSolver limits_;
   JointResistance joints_;
   SystemLinks links_;
   Vectors kicked_, met_velocity_, start_direction_;
-  std::vector<double> multipliers_, start_tension_;
+  std::vector<double> start_tension_;
 };
 
 constexpr std::array params{

@@ -8,8 +8,8 @@
 // drift, the relaxation, v = Δx/h, and half a kick:  x_{n+1} − x_n = (x_n − x_{n−1}) + h (h/2) a + h (h/2) a.
 // That is how it stands here, so that a State means the same for every method. The velocity at the end still
 // holds the last half kick, which the links have not answered yet: a mass at rest shows h·g/2. The tension is
-// Σ s |d| over h (h/2 + that kick): h² but for the first step and where h has changed. Where a stop or a solid
-// pushes, more passes may follow (pass_control.h).
+// Σ s |d| over h (h/2 + that kick): h² but for the first step and where h has changed. Where a stop or a
+// solid pushes, more passes may follow (pass_control.h).
 
 #include <array>
 #include <cmath>
@@ -21,8 +21,8 @@
 #include "forces/forces.h"
 #include "methods/method.h"
 #include "parameters.h"
-#include "relax/link_order.h"
 #include "relax/pass_control.h"
+#include "relax/relaxation.h"
 
 namespace taut {
 namespace {
@@ -30,13 +30,12 @@ namespace {
 class VerletStepper final : public FileOrderStepper {
  public:
   VerletStepper(const Model& model, PassCounts passes)
-      : model_(model), passes_(model, passes), limits_and_contacts_(model), joints_(model) {}
+      : model_(model), passes_(model, passes), links_(model), limits_and_contacts_(model), joints_(model) {}
 
  private:
   void links_changed(const State& state) override {
-    order_ = coloured_order(model_, state);
-    passes_.links_changed(order_.links);
-    moved_.assign(order_.links.size(), 0.0);
+    links_.links_changed(state);
+    passes_.links_changed(links_.links());
   }
 
   StepReport make_step(State& state, double h, double end_time) override {
@@ -48,16 +47,16 @@ class VerletStepper final : public FileOrderStepper {
     joints_.act(state, h, 1.0, velocity_);
     drift(h, start_, velocity_, state.position);
     place_pins(model_, end_time, state.position, velocity_);
-    moved_.assign(order_.links.size(), 0.0);
+    links_.begin_step();
     limits_and_contacts_.begin_step(start_, state);
     int made = 0;
     for (; passes_.another(made, limits_and_contacts_.may_jump(), start_, state.position, h); ++made) {
-      relax(state.position);
+      links_.pass(h, 1.0, coordinates(std::as_const(start_)), coordinates(state.position));
       limits_and_contacts_.solve(h, 1.0, state.position);
     }
     StepReport report;
     report.rounds = made;
-    report.link_solves = (static_cast<std::int64_t>(order_.links.size()) + limits_and_contacts_.size()) * made;
+    report.link_solves = (links_.size() + limits_and_contacts_.size()) * made;
     difference_quotient(h, start_, state.position, velocity_);
     limits_and_contacts_.rebound(h, velocity_);
     kick(model_, end_time, 0.5 * h, velocity_, velocity_);
@@ -74,35 +73,18 @@ class VerletStepper final : public FileOrderStepper {
     limits_and_contacts_.keep(state);
     joints_.keep(start_, state);
     const double kicked_for = state.unanswered_kick + 0.5 * h;
-    for (std::size_t i = 0; i < moved_.size(); ++i)
-      state.tension[order_.links[i]] = moved_[i] / (h * kicked_for);
+    for (std::size_t i = 0; i < links_.links().size(); ++i)
+      state.tension[links_.links()[i]] = -links_.multipliers()[i] / (h * kicked_for);
     state.unanswered_kick = 0.5 * h;
     return report;
   }
 
-  void relax(Vectors& position) {
-    const Links& links = model_.links;
-    const std::vector<double>& inverse_mass = model_.masses.inverse_mass;
-    for (std::size_t i = 0; i < moved_.size(); ++i) {
-      const Index link = order_.links[i];
-      const Index a = links.a[link], b = links.b[link];
-      const Vec3 difference = position.at(a) - position.at(b);
-      const double distance = difference.norm();
-      if (distance == 0.0) continue;  // no direction to move in
-      const double scale = (distance - links.length[link]) / ((inverse_mass[a] + inverse_mass[b]) * distance);
-      moved_[i] += scale * distance;
-      position.add(a, -(inverse_mass[a] * scale) * difference);
-      position.add(b, (inverse_mass[b] * scale) * difference);
-    }
-  }
-
   const Model& model_;
   PassControl passes_;
+  Relaxation<double> links_;
   LimitsAndContacts limits_and_contacts_;
   JointResistance joints_;
-  OrderedLinks order_;
   Vectors start_, velocity_;
-  std::vector<double> moved_;  // kg m, one a link of the order: Σ s |d|
 };
 
 constexpr std::array params{steps_per_second_param(600.0), passes_param(1.0), impact_passes_param()};
