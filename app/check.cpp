@@ -76,6 +76,11 @@ void check_run(const Scene& scene, const StopTest& stop, Verdict& verdict) {
   verdict.json["state_hash"] = fmt::format("{:016x}", state_hash(*end));
   const RunMeasures measures = simulation.measures(*end);
   verdict.json["measures"] = measures_to_json(measures, scene);
+  if (const std::string ruin = ruin_sentence(scene.model, measures); !ruin.empty()) {
+    verdict.status = exit_failed;
+    verdict.message = fmt::format("{}: {}", scene.name, ruin);
+  }
+  verdict.json["halvings"] = halving_sentence(scene.model, measures.report);
   if (flies_freely(scene.model)) verdict.json["spin"] = spin_to_json(scene, *end);
   verdict.json["findings"] = Json::array();
   for (const Finding& finding : check_expectation(scene.expectation, scene.model, *end, measures)) {
@@ -177,6 +182,8 @@ void print_verdict(const Verdict& verdict, const CheckFlags& flags) {
   if (json.contains("reference")) print_reference(json["reference"]);
   if (!json.contains("findings")) return;
   print_measures(json["measures"]);
+  if (const auto halvings = json["halvings"].get<std::string>(); !halvings.empty())
+    fmt::print("  {}\n", halvings);
   if (json.contains("spin")) print_spin(json["spin"]);
   for (const Json& finding : json["findings"])
     fmt::print("  {} {}: {}\n", finding["holds"].get<bool>() ? "holds" : "FAILS",

@@ -61,6 +61,10 @@ void print_summary(std::span<const Scene> scenes, const RenderRequest& request,
   if (request.film && outcome.stopped) fmt::print(stderr, ", no film");
   fmt::print(stderr, ", {}\n", duration_text(outcome.seconds));
   if (outcome.note) fmt::print(stderr, "taut: note: {}\n", *outcome.note);
+  for (std::size_t i = 0; i < outcome.panels.size(); ++i)
+    if (const RunReport& report = outcome.panels[i].measures.report; report.worth_telling())
+      fmt::print(stderr, "taut: note: {}: {}\n", scenes[i].settings.method,
+                 halving_sentence(scenes[i].model, report));
 }
 
 // What went wrong is said in any case.

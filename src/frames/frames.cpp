@@ -1,6 +1,7 @@
 #include "frames/frames.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <atomic>
 #include <chrono>
@@ -216,6 +217,12 @@ void Pipeline::finish(std::optional<Film>& film) {
       job_.film.bytes = std::filesystem::file_size(*request_.film);
       if (job_.folder) job_.folder->add_film(job_.film);
     });
+  }
+  if (job_.folder && !outcome_.panels.empty()) {
+    std::vector<std::string> halvings;
+    for (std::size_t i = 0; i < outcome_.panels.size(); ++i)
+      halvings.push_back(halving_sentence(scenes_[i].model, outcome_.panels[i].measures.report));
+    job_.folder->set_halvings(fmt::format("{}", fmt::join(halvings, "\n")));
   }
   // Whatever happened, the manifest says which frames there are.
   if (job_.folder) failure_.watch([&] { job_.folder->save(); });

@@ -1,5 +1,7 @@
 #include "motion/run_measures.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "methods/acceleration.h"
@@ -35,6 +37,15 @@ RunMeasures measure_run(const Model& model, const EnergyBase& base, const State&
   measures.broken_links = broken_links(end);
   measures.report = report;
   return measures;
+}
+
+std::string ruin_sentence(const Model& model, const RunMeasures& measures) {
+  constexpr double most = 0.1;
+  if (measures.report.halved_steps == 0 || model.wind || !(measures.energy_error > most)) return {};
+  return fmt::format(
+      "the run is ruined: its energy is {:.3g} of the scale above what it can have come by, and {}; try more "
+      "steps_per_second, or another method",
+      measures.energy_error, halving_sentence(model, measures.report));
 }
 
 }  // namespace taut

@@ -48,6 +48,7 @@ Manifest from_json(const Json& json) {
       manifest.settings[name] = value.get<std::string>();
   }
   manifest.plan = json.value("plan", "");
+  manifest.halvings = json.value("halvings", "");
   manifest.size = {json.at("width").get<int>(), json.at("height").get<int>()};
   manifest.frames_per_second = json.at("frames_per_second").get<double>();
   manifest.picture = json.at("picture").get<std::string>();
@@ -70,6 +71,7 @@ std::string manifest_text(const Manifest& manifest) {
                   {"method", manifest.method},
                   {"settings", settings_to_json(manifest)},
                   {"plan", manifest.plan},
+                  {"halvings", manifest.halvings},
                   {"width", manifest.size.width},
                   {"height", manifest.size.height},
                   {"frames_per_second", manifest.frames_per_second},

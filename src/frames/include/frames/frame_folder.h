@@ -31,6 +31,8 @@ class FrameFolder {
   void write(int frame, const Image& image, const std::string& state_hash);
   /// Remembers a film, in place of one of the same name.
   void add_film(const FilmRecord& film);
+  /// Remembers which steps could only be made in parts (Manifest::halvings).
+  void set_halvings(const std::string& halvings) { manifest_.halvings = halvings; }
   /// Brings the manifest on disk up to date. Throws RunFailure.
   void save();
 

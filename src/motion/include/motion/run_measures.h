@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "methods/method.h"
 #include "model/measures.h"
 #include "motion/run_report.h"
@@ -31,6 +33,10 @@ struct RunMeasures {
   std::size_t broken_links = 0;
   RunReport report;
 };
+
+/// Why a run that came to its end is ruined all the same: steps had to be halved, and it has a tenth of the
+/// energy scale more than it can have come by. Empty where it isn't, and where wind may have given it.
+std::string ruin_sentence(const Model& model, const RunMeasures& measures);
 
 /// What the energy of a run is compared with.
 struct EnergyBase {
