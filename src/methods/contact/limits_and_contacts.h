@@ -32,9 +32,7 @@ class LimitsAndContacts {
 
   /// Whether velocities may have jumped in this step, or at the end of the one before: a stop has pushed,
   /// something has touched, or something may have rebounded.
-  bool may_jump() const {
-    return rebounds_ || limits_.pushed() || bodies_.touched() || contacts_.touched();
-  }
+  bool may_jump() const { return rebounds_ || limits_.pushed() || bodies_.touched() || contacts_.touched(); }
 
   /// Once velocities have been derived from positions.
   void rebound(double h, Vectors& velocity) const { contacts_.rebound(h, velocity); }

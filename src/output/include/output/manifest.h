@@ -27,7 +27,7 @@ struct Manifest {
   std::string method;
   std::map<std::string, std::variant<double, std::string>> settings;  ///< of the method
   std::string halvings;  ///< which steps could only be made in parts, a sentence a run; empty where none
-  std::string plan;  ///< why it was run with this method and these settings; empty where that was given
+  std::string plan;      ///< why it was run with this method and these settings; empty where that was given
   Size size;
   double frames_per_second = 30.0;
   std::string picture;  ///< how it is drawn beyond the scene: samples, shadows, transparency, back end
