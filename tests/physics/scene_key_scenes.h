@@ -1,0 +1,408 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+namespace taut::test {
+
+/// Small scenes in which keys of the scene format matter, a few each. LINKS stands for what links need so
+/// that the method takes them: nothing, or a stiffness.
+inline const std::map<std::string, std::string> key_scenes{
+    {"rope", R"(
+[[chain]]
+name = "rope"
+from = [0.0, 2.0, 0.0]
+to = [1.0, 2.0, 0.0]
+links = 4
+mass = 0.5
+pinned = ["first"]
+LINKS
+[[load]]
+masses = ["rope.4"]
+force = [0.0, 0.3, 0.7]
+from = 0.05
+to = 0.1
+)"},
+    {"springy rope", R"(
+[[chain]]
+name = "rope"
+from = [0.0, 2.0, 0.0]
+to = [1.1, 2.0, 0.0]
+links = 4
+length = 1.0
+mass = 0.5
+pinned = ["first"]
+stiffness = 500.0
+)"},
+    {"swung rope", R"(
+[[chain]]
+name = "rope"
+from = [0.0, 2.0, 0.0]
+to = [0.9, 2.0, 0.0]
+links = 4
+length = 1.0
+mass = 0.5
+pinned = ["first", "last"]
+first_motion = { amplitude = [0.01, 0.0, 0.0], angular_frequency = 8.0, phase = 0.0 }
+last_motion = { amplitude = [0.01, 0.0, 0.0], angular_frequency = 8.0, phase = 0.0 }
+LINKS
+)"},
+    {"led rope", R"(
+[[chain]]
+name = "rope"
+from = [0.0, 2.0, 0.0]
+to = [0.9, 2.0, 0.0]
+links = 4
+length = 1.0
+mass = 0.5
+pinned = ["first", "last"]
+first_motion = { path = [[0.0, 0.0, 2.0, 0.0], [0.3, 0.1, 2.0, 0.0]] }
+last_motion = { path = [[0.0, 0.9, 2.0, 0.0], [0.3, 0.8, 2.0, 0.0]] }
+LINKS
+)"},
+    {"ropes that meet", R"(
+[[chain]]
+name = "rope"
+from = [0.0, 2.0, 0.0]
+to = [1.0, 2.0, 0.0]
+links = 4
+radius = 0.1
+collides = true
+LINKS
+[[chain]]
+name = "other"
+from = [0.5, 1.7, -0.5]
+to = [0.5, 1.7, 0.5]
+links = 4
+radius = 0.1
+collides = true
+pinned = ["first", "last"]
+LINKS
+)"},
+    {"cloth", R"(
+[[sheet]]
+name = "cloth"
+rows = 3
+columns = 3
+from = [0.0, 2.0, 0.0]
+to = [0.4, 2.0, 0.0]
+down = [0.0, -0.2, 0.2]
+mass = 0.3
+pinned = ["top-left"]
+LINKS
+[[load]]
+masses = ["cloth.2.2"]
+force = [0.1, 0.2, 0.3]
+)"},
+    {"springy cloth", R"(
+[[sheet]]
+name = "cloth"
+rows = 3
+columns = 3
+from = [0.0, 2.0, 0.0]
+to = [0.4, 2.0, 0.0]
+down = [0.0, -0.2, 0.2]
+mass = 0.3
+pinned = ["top-left"]
+stiffness = 100.0
+diagonals = { stiffness = 50.0 }
+skip_one = { stiffness = 50.0 }
+)"},
+    {"curtain", R"(
+[[sheet]]
+name = "cloth"
+rows = 3
+columns = 7
+from = [0.0, 2.0, 0.0]
+to = [0.4, 2.0, 0.0]
+down = [0.0, -0.4, 0.0]
+mass = 0.3
+fullness = 1.4
+hooks = { every = 3, draw = [[0.0, 1.0], [0.3, 0.9]] }
+LINKS
+)"},
+    {"sheet on a ball", R"(
+[[sheet]]
+name = "cloth"
+rows = 3
+columns = 3
+from = [-0.2, 1.12, -0.2]
+to = [0.2, 1.12, -0.2]
+down = [0.0, 0.0, 0.4]
+radius = 0.05
+collides = true
+LINKS
+[[sphere]]
+centre = [0.0, 0.0, 0.0]
+[[mass]]
+name = "ball"
+position = [0.0, 1.3, 0.02]
+radius = 0.1
+collides = true
+)"},
+    {"pendulum", R"(
+[[mass]]
+name = "hook"
+position = [0.0, 2.0, 0.0]
+pinned = true
+[[mass]]
+name = "elbow"
+position = [0.5, 2.0, 0.0]
+velocity = [0.0, 0.0, 0.5]
+[[mass]]
+name = "bob"
+position = [1.0, 2.0, 0.0]
+[[link]]
+a = "hook"
+b = "elbow"
+LINKS
+[[link]]
+a = "elbow"
+b = "bob"
+LINKS
+)"},
+    {"swung pendulum", R"(
+[[mass]]
+name = "hook"
+position = [0.0, 2.0, 0.0]
+pinned = true
+motion = { amplitude = [0.01, 0.0, 0.0], angular_frequency = 8.0, phase = 0.0 }
+[[mass]]
+name = "bob"
+position = [0.5, 2.0, 0.0]
+[[link]]
+a = "hook"
+b = "bob"
+LINKS
+)"},
+    {"springy pendulum", R"(
+[[mass]]
+name = "hook"
+position = [0.0, 2.0, 0.0]
+pinned = true
+[[mass]]
+name = "bob"
+position = [0.55, 2.0, 0.0]
+[[link]]
+a = "hook"
+b = "bob"
+length = 0.5
+stiffness = 500.0
+)"},
+    {"balls that meet", R"(
+[[mass]]
+name = "upper"
+position = [0.0, 1.25, 0.0]
+radius = 0.1
+collides = true
+[[mass]]
+name = "lower"
+position = [0.05, 1.0, 0.0]
+radius = 0.1
+collides = true
+pinned = true
+)"},
+    {"doll", R"(
+[[ragdoll]]
+name = "doll"
+position = [0.0, 1.0, 0.0]
+pinned = ["left_hand"]
+velocity = [0.2, 0.0, 0.0]
+spin = [0.0, 1.0, 0.0]
+[[load]]
+masses = ["doll.head"]
+force = [300.0, 100.0, 100.0]
+)"},
+    {"doll with legs drawn back", R"(
+[[ragdoll]]
+name = "doll"
+position = [0.0, 1.0, 0.0]
+pinned = ["left_hand"]
+[[load]]
+masses = ["doll.left_knee.*", "doll.right_knee.*"]
+force = [0.0, 0.0, -600.0]
+)"},
+    {"doll on a ball", R"(
+[[ragdoll]]
+name = "doll"
+position = [0.0, 1.2, 0.0]
+collides = true
+[[mass]]
+name = "ball"
+position = [0.0, 1.2, 0.2]
+velocity = [0.0, 0.0, -3.0]
+mass = 5.0
+radius = 0.15
+collides = true
+)"},
+    {"angle", R"(
+[[mass]]
+name = "a"
+position = [-0.5, 2.0, 0.0]
+pinned = true
+[[mass]]
+name = "b"
+position = [0.0, 2.0, 0.0]
+pinned = true
+[[mass]]
+name = "c"
+position = [0.5, 1.95, 0.0]
+velocity = [0.0, 0.6, 0.0]
+[[mass]]
+name = "d"
+position = [-0.5, 1.98, 0.0]
+pinned = true
+[[link]]
+a = "b"
+b = "c"
+LINKS
+[[angle]]
+masses = ["a", "b", "c"]
+min = 100.0
+max = 175.0
+)"},
+    {"stopped pendulum", R"(
+[[mass]]
+name = "a"
+position = [0.0, 2.0, 0.0]
+pinned = true
+[[mass]]
+name = "b"
+position = [0.5, 2.0, 0.0]
+[[mass]]
+name = "c"
+position = [0.75, 2.0, 0.0]
+velocity = [0.0, -2.0, 0.0]
+[[link]]
+a = "a"
+b = "b"
+LINKS
+[[link]]
+a = "b"
+b = "c"
+LINKS
+[[angle]]
+masses = ["a", "b", "c"]
+min = 150.0
+)"},
+    {"hinge", R"(
+[[mass]]
+name = "a"
+position = [-0.5, 2.0, 0.0]
+pinned = true
+[[mass]]
+name = "b"
+position = [0.0, 2.0, 0.0]
+pinned = true
+[[mass]]
+name = "c"
+position = [0.5, 2.0, 0.0]
+velocity = [0.0, 1.0, 0.0]
+[[mass]]
+name = "e"
+position = [0.1, 2.0, 1.0]
+pinned = true
+[[mass]]
+name = "d"
+position = [0.4, 2.1, 1.0]
+pinned = true
+[[link]]
+a = "b"
+b = "c"
+LINKS
+[[mass]]
+name = "f"
+position = [-0.5, 2.02, 0.0]
+pinned = true
+[[hinge]]
+masses = ["a", "b", "c"]
+axis = ["b", "e"]
+min = -5.0
+max = 5.0
+)"},
+    {"cone", R"(
+[[mass]]
+name = "a"
+position = [-0.5, 2.0, 0.0]
+pinned = true
+[[mass]]
+name = "b"
+position = [0.0, 2.0, 0.0]
+pinned = true
+[[mass]]
+name = "c"
+position = [0.5, 2.0, 0.0]
+[[mass]]
+name = "d"
+position = [0.0, 2.0, 1.0]
+pinned = true
+[[mass]]
+name = "e"
+position = [0.5, 2.0, 0.1]
+[[link]]
+a = "b"
+b = "c"
+LINKS
+[[link]]
+a = "c"
+b = "e"
+LINKS
+[[cone]]
+frame = ["b", "a", "d"]
+limb = ["b", "c"]
+axis = [1.0, 0.0, 0.0]
+half_angle = 10.0
+)"},
+    {"ground", R"(
+[[chain]]
+name = "rope"
+from = [0.0, 0.3, 0.0]
+to = [0.3, 0.02, 0.0]
+links = 3
+LINKS
+[[load]]
+masses = ["rope.*"]
+force = [1.0, 0.0, 0.0]
+[[plane]]
+)"},
+    {"solids", R"(
+[[mass]]
+name = "on_sphere"
+position = [0.3, 1.007, 0.0]
+radius = 0.05
+[[mass]]
+name = "on_capsule"
+position = [5.0, 1.1, 0.3]
+radius = 0.05
+[[mass]]
+name = "on_box"
+position = [10.0, 0.6, 0.0]
+velocity = [1.0, 0.0, 0.0]
+radius = 0.05
+[[sphere]]
+centre = [0.0, 0.0, 0.0]
+[[capsule]]
+from = [4.5, 0.0, 0.0]
+to = [5.5, 0.0, 0.0]
+[[box]]
+centre = [10.0, 0.0, 0.0]
+)"},
+    {"flag", R"(
+[[sheet]]
+name = "cloth"
+rows = 3
+columns = 3
+from = [0.0, 2.0, 0.0]
+to = [0.4, 2.0, 0.0]
+down = [0.0, -0.4, 0.0]
+mass = 0.1
+pinned = ["left"]
+LINKS
+[wind]
+velocity = [3.0, 0.0, 2.0]
+gust = 0.3
+gust_time = 0.1
+)"},
+};
+
+}  // namespace taut::test
