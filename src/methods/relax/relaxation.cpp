@@ -104,7 +104,7 @@ void Relaxation<Real>::pass_of(Real h, Real answer, [[maybe_unused]] const Coord
                                const Coordinates<Real>& position) {
   [[maybe_unused]] const Real inverse_h = Real(1) / h;
   const Real inverse_answer = Real(1) / answer;
-  const auto [x, y, z] = position;
+  Real *const x = position.x, *const y = position.y, *const z = position.z;
   for_each_stretch([&](const auto& links, std::size_t begin, std::size_t end, std::size_t first) {
     Real* const multipliers = multipliers_.data() + first;
     for (std::size_t i = begin; i < end; ++i) {
@@ -157,7 +157,7 @@ template <class Real>
 AlongStart Relaxation<Real>::pass_along(const Coordinates<const Real>& direction,
                                         const Coordinates<Real>& position) {
   AlongStart found;
-  const auto [x, y, z] = position;
+  Real *const x = position.x, *const y = position.y, *const z = position.z;
   for_each_stretch([&](const auto& links, std::size_t begin, std::size_t end, std::size_t first) {
     for (std::size_t i = begin; i < end && !found.lost; ++i) {
       const auto& link = links[i];
