@@ -44,7 +44,7 @@ Settings settings_for(const Scene& scene, const Method& method) {
 // As many as cost little: a hundred of small scenes, a few of large ones; limits make direct solves dear.
 std::int64_t steps_of(const Scene& scene) {
   const std::size_t size = scene.model.links.size() + 100 * scene.model.limits.size() + 1;
-  return std::clamp<std::int64_t>(30'000 / static_cast<std::int64_t>(size), 4, 120);
+  return std::clamp<std::int64_t>(30'000 / static_cast<std::int64_t>(size), 2, 120);
 }
 
 std::string hash_after(Run& run, std::int64_t steps) {
