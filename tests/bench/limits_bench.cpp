@@ -20,7 +20,6 @@ void step_of_a_chain(benchmark::State& run, const char* name) {
   const Built built = bench::build_valid(description);
   Run moving(built.model, built.start, complete_settings(bench::settings(name, rate)));
   for (auto round : run) moving.step();
-  const StepReport& total = moving.report().counts;
   if (moving.ended()) run.SkipWithError("a step was not solved");
 }
 BENCHMARK_CAPTURE(step_of_a_chain, xpbd, "xpbd")->Arg(0)->Arg(1)->ArgName("limits");

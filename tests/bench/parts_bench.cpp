@@ -54,7 +54,6 @@ void steps(benchmark::State& run, const Model& model, const State& start) {
   const Settings how = complete_settings(bench::settings("xpbd", rate));
   Run moving(model, start, how);
   for (auto round : run) moving.step();
-  const StepReport& total = moving.report().counts;
   if (moving.ended()) run.SkipWithError("a step was not solved");
 }
 
