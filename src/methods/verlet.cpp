@@ -12,7 +12,6 @@
 // solid pushes, more passes may follow (pass_control.h).
 
 #include <array>
-#include <cmath>
 #include <utility>
 
 #include "contact/joint_resistance.h"

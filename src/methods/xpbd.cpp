@@ -16,7 +16,6 @@
 // follow the links in every pass; where one pushes, more passes may follow (pass_control.h).
 
 #include <array>
-#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -25,7 +24,6 @@
 #include "file_order_stepper.h"
 #include "forces/forces.h"
 #include "methods/method.h"
-#include "model/parts.h"
 #include "parameters.h"
 #include "relax/pass_control.h"
 #include "relax/relaxation.h"
