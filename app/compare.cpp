@@ -16,7 +16,7 @@
 namespace taut {
 namespace {
 
-constexpr Size usual_panel{640, 480};
+constexpr Size compared_panel{640, 480};
 constexpr std::size_t most_methods = 9;
 
 struct CompareFlags {
@@ -49,7 +49,7 @@ int compare(const CompareFlags& flags) {
   }
   print_notes(scenes.front(), flags.output.quiet);
   const RenderRequest request =
-      flags.output.request(fmt::format("out/{}-compared", scenes.front().name), usual_panel);
+      flags.output.request(fmt::format("out/{}-compared", scenes.front().name), compared_panel);
   return render_and_report(scenes, request, flags.output);
 }
 

@@ -19,7 +19,7 @@
 namespace taut {
 namespace {
 
-constexpr Size usual_panel{380, 340};
+constexpr Size sag_panel{380, 340};
 constexpr int most_passes = 100000;
 
 struct SagFlags {
@@ -54,7 +54,7 @@ int sag(const SagFlags& flags) {
   flags.picture.apply_to(scene);
   if (!flags.picture.colour.empty()) require_colours(scene);
   print_notes(scene, flags.quiet);
-  const PictureSettings settings = flags.picture.settings(usual_panel);
+  const PictureSettings settings = flags.picture.settings(sag_panel);
   const std::string folder = flags.folder.empty() ? "out/" + scene.name + "-sag" : flags.folder;
   require_gnuplot();
   const InterruptWatch interrupts;

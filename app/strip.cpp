@@ -17,7 +17,7 @@
 namespace taut {
 namespace {
 
-constexpr Size usual_panel{480, 360};
+constexpr Size strip_panel{480, 360};
 
 struct StripFlags {
   SceneFlags scene;
@@ -31,7 +31,7 @@ int strip(const StripFlags& flags) {
   print_notes(scene, flags.quiet);
   flags.picture.apply_to(scene);
   const std::vector<double> times = strip_times(scene, parse_number("--count", flags.count));
-  const PictureSettings settings = flags.picture.settings(usual_panel);
+  const PictureSettings settings = flags.picture.settings(strip_panel);
   settle_method(scene, {}, flags.scene.method, flags.quiet);
   const std::optional<std::string> note = make_strip(scene, times, settings, flags.file);
   if (flags.json) {

@@ -12,8 +12,8 @@ seen=build/lint/seen
 mkdir -p "$seen"
 
 # clang-tidy reads clang's precompiled headers and knows the compile commands from this preset.
-cmake --preset asan --log-level=WARNING >/dev/null
-cmake --build --preset asan --target taut_common_headers taut_light_headers -- --quiet
+cmake --preset lint --log-level=WARNING >/dev/null
+cmake --build --preset lint --target taut_common_headers taut_light_headers -- --quiet
 
 headers=$({ cat .clang-tidy; find app src -name '*.h' -type f | sort | xargs cat; } | sha256sum)
 export seen headers
@@ -23,15 +23,15 @@ mark() { echo "$seen/$({ echo "$headers"; cat "$1"; } | sha256sum | cut --charac
 look_at() {
   local file status=0
   if [ $# -eq 1 ]; then
-    clang-tidy -p build/asan --quiet "$1" 2>/dev/null || return 1
+    clang-tidy -p build/lint --quiet "$1" 2>/dev/null || return 1
     touch "$(mark "$1")"
     return
   fi
   # The name of the first file, in a folder of its own, gives clang-tidy the first file's compile command.
-  local together=build/lint/$1
+  local together=build/lint/together/$1
   mkdir -p "$(dirname "$together")"
   printf '#include "%s"\n' "${@/#/$PWD/}" >"$together"
-  if clang-tidy -p build/asan --quiet "$together" >/dev/null 2>&1; then
+  if clang-tidy -p build/lint --quiet "$together" >/dev/null 2>&1; then
     for file in "$@"; do touch "$(mark "$file")"; done
     return
   fi

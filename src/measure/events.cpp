@@ -9,9 +9,9 @@
 namespace taut {
 namespace {
 
-constexpr double rate = 960.0;        // steps per second
-constexpr std::int64_t interval = 4;  // steps between two looks
-constexpr double alike = 1e-9;        // of the scene's size
+constexpr double watching_rate = 960.0;  // steps per second
+constexpr std::int64_t interval = 4;     // steps between two looks
+constexpr double alike = 1e-9;           // of the scene's size
 
 bool has_events(const Model& model) {
   return !model.contacts.empty() || !model.limits.empty() || !model.breakable_links.empty();
@@ -38,7 +38,8 @@ Model without_events(const Model& model) {
 std::optional<Event> first_event(const Model& model, const State& start, double horizon) {
   if (!has_events(model)) return std::nullopt;
   const Model calm = without_events(model);
-  const Settings settings = complete_settings({"xpbd", {{"steps_per_second", rate}, {"passes", 1.0}}});
+  const Settings settings =
+      complete_settings({"xpbd", {{"steps_per_second", watching_rate}, {"passes", 1.0}}});
   Run run(model, start, settings), calm_run(calm, start, settings);
   const double allowed = alike * scene_size(model, start);
   while (run.state().time < horizon) {

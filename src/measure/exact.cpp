@@ -34,15 +34,16 @@ using Vec2 = Eigen::Vector2d;
 using Matrix2 = Eigen::Matrix2d;
 
 // End of the chain that starts with force (H, V) in its first link, its derivative, and the shape on the way.
-struct Shape {
+struct HangingShape {
   Vec2 end = Vec2::Zero();
   Matrix2 derivative = Matrix2::Zero();
   std::vector<Vec2> points;
   std::vector<double> tensions;
 };
 
-Shape follow(const Vec2& first_force, int link_count, double length, double compliance, double weight) {
-  Shape shape;
+HangingShape follow(const Vec2& first_force, int link_count, double length, double compliance,
+                    double weight) {
+  HangingShape shape;
   shape.points.push_back(Vec2::Zero());
   for (int i = 0; i < link_count; ++i) {
     // The pull of link i on the mass before it: the first pin carries what lies below.
@@ -76,7 +77,7 @@ HangingChain hanging_chain_at_rest(const Vec3& from, const Vec3& to, int link_co
   // there.
   const double weight = weight_per_mass * (link_count - 1);
   Vec2 force(0.5 * weight + weight_per_mass, -0.5 * weight + 1e-3 * weight_per_mass);
-  Shape shape = follow(force, link_count, link_length, compliance, weight_per_mass);
+  HangingShape shape = follow(force, link_count, link_length, compliance, weight_per_mass);
   for (int round = 0; round < 200; ++round) {
     const Vec2 miss = span - shape.end;
     if (miss.norm() <= 1e-15 * link_length * link_count) break;
@@ -85,7 +86,7 @@ HangingChain hanging_chain_at_rest(const Vec3& from, const Vec3& to, int link_co
     for (int halving = 0; halving < 40; ++halving, share *= 0.5) {
       const Vec2 trial = force + share * change;
       if (trial.x() <= 0.0) continue;  // the horizontal pull never turns round
-      Shape tried = follow(trial, link_count, link_length, compliance, weight_per_mass);
+      HangingShape tried = follow(trial, link_count, link_length, compliance, weight_per_mass);
       if ((span - tried.end).norm() >= miss.norm()) continue;
       force = trial;
       shape = std::move(tried);

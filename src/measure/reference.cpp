@@ -18,7 +18,7 @@ namespace taut {
 namespace {
 
 // Doublings of rattle's steps that bring no agreement at a later time before it is given up.
-constexpr int patience = 2;
+constexpr int most_in_vain = 2;
 
 bool has_damping(const Model& model) {
   return model.drag > 0.0 || model.wind ||
@@ -154,7 +154,7 @@ SecondOpinion second_opinion(const Model& model, const State& start, const std::
   const int sub_steps = best.order == 4 ? 3 : 1;
   std::vector<State> coarse;
   int in_vain = 0;
-  for (double rate = 500.0; rate <= 1e7 && in_vain < patience; rate *= 2.0) {
+  for (double rate = 500.0; rate <= 1e7 && in_vain < most_in_vain; rate *= 2.0) {
     if (predicted_seconds(model, "rattle", sub_steps * rate * span, 3) > most_seconds) break;
     std::vector<State> fine = run_rattle(model, start, times, rate, best.order, stop);
     const Agreement agreed = agreement(best.order == 2 ? extrapolated(coarse, fine) : fine, first, accuracy);

@@ -106,14 +106,14 @@ class EulerStepper final : public FileOrderStepper {
 };
 
 constexpr std::array<std::string_view, 2> velocity_choices{"kept", "derived"};
-constexpr std::array params{
+constexpr std::array euler_params{
     steps_per_second_param(60.0),
     passes_param(4.0),
     Param{"velocities", "", 0, 0, 0, false, velocity_choices,
           "kept: links leave velocities alone, as the text has it; derived: v = Δx/h"},
 };
 
-std::unique_ptr<Stepper> make(const Model& model, const Settings& settings, const Execution&) {
+std::unique_ptr<Stepper> make_euler(const Model& model, const Settings& settings, const Execution&) {
   return std::make_unique<EulerStepper>(model, static_cast<int>(settings.number("passes")),
                                         settings.choice("velocities") == "kept");
 }
@@ -132,10 +132,10 @@ Method euler_method() {
   return {"euler",
           "semi-implicit Euler, links set in place (the base line)",
           "Ragdoll and Cloth Physics Simulation",
-          params,
+          euler_params,
           can,
           {4.0, 18.0, 0.0},
-          make};
+          make_euler};
 }
 
 }  // namespace taut

@@ -70,9 +70,9 @@ class NewtonStepper final : public SwappingStepper {
   std::optional<ImplicitNet> net_;            // … or this one for nets
 };
 
-constexpr std::array params{steps_per_second_param(240.0)};
+constexpr std::array newton_params{steps_per_second_param(240.0)};
 
-std::unique_ptr<Stepper> make(const Model& model, const Settings& settings, const Execution&) {
+std::unique_ptr<Stepper> make_newton(const Model& model, const Settings& settings, const Execution&) {
   return std::make_unique<NewtonStepper>(model, settings.steps_per_second());
 }
 
@@ -89,10 +89,10 @@ Method newton_method() {
   return {"newton",
           "one implicit solve of all links together per step, by Newton's method",
           "Goldenthal et al. (2007); Deul et al. (2018)",
-          params,
+          newton_params,
           can,
           {8.0, 12.0, 0.5},
-          make};
+          make_newton};
 }
 
 }  // namespace taut

@@ -235,17 +235,17 @@ class RattleStepper final : public SwappingStepper {
 };
 
 constexpr std::array<std::string_view, 2> orders{"2", "4"};
-constexpr std::array params{
+constexpr std::array rattle_params{
     steps_per_second_param(600.0),
     Param{"order", "", 0, 0, 0, false, orders,
           "order of accuracy; 4 makes three steps of order 2 a step, the middle one backwards"},
 };
 
-std::unique_ptr<Stepper> make(const Model& model, const Settings& settings, const Execution&) {
+std::unique_ptr<Stepper> make_rattle(const Model& model, const Settings& settings, const Execution&) {
   return std::make_unique<RattleStepper>(model, settings.choice("order") == "4" ? 4 : 2);
 }
 
-std::string refusal(const Model& model, const State& start, const Settings& settings) {
+std::string rattle_refusal(const Model& model, const State& start, const Settings& settings) {
   bool damped = model.drag > 0.0 || model.wind || !model.breakable_links.empty();
   for (const double damping : model.links.damping) damped = damped || damping > 0.0;
   if (settings.choice("order") == "4" && (damped || !model.limits.empty() || !model.joints.empty()))
@@ -268,11 +268,11 @@ Method rattle_method() {
   return {"rattle",
           "exact link lengths and link speeds, solved directly, order 2 or 4",
           "Andersen, Rattle (1983); Yoshida (1990)",
-          params,
+          rattle_params,
           can,
           {18.0, 11.0, 0.5},
-          make,
-          refusal};
+          make_rattle,
+          rattle_refusal};
 }
 
 }  // namespace taut

@@ -150,7 +150,7 @@ class ShakeStepper final : public SwappingStepper {
   std::vector<double> start_tension_;
 };
 
-constexpr std::array params{
+constexpr std::array shake_params{
     steps_per_second_param(2400.0),
     passes_param(1.0),
     impact_passes_param(),
@@ -164,11 +164,11 @@ constexpr std::array params{
           "passes end early once every squared length was within this share of its own"},
 };
 
-std::unique_ptr<Stepper> make(const Model& model, const Settings& settings, const Execution&) {
+std::unique_ptr<Stepper> make_shake(const Model& model, const Settings& settings, const Execution&) {
   return std::make_unique<ShakeStepper>(model, pass_counts(settings), settings.number("tolerance"));
 }
 
-std::string refusal(const Model& model, const State& start, const Settings& settings) {
+std::string shake_refusal(const Model& model, const State& start, const Settings& settings) {
   return too_stiff(model, start, settings);
 }
 
@@ -187,11 +187,11 @@ Method shake_method() {
   return {"shake",
           "relaxation along the directions of the start of the step, second order",
           "Ryckaert, Ciccotti and Berendsen (1977)",
-          params,
+          shake_params,
           can,
           {15.0, 5.0, 0.0},
-          make,
-          refusal};
+          make_shake,
+          shake_refusal};
 }
 
 }  // namespace taut

@@ -47,9 +47,9 @@ class SpringExplicitStepper final : public SwappingStepper {
   std::vector<double> spring_tension_;
 };
 
-constexpr std::array params{steps_per_second_param(2400.0)};
+constexpr std::array spring_explicit_params{steps_per_second_param(2400.0)};
 
-std::unique_ptr<Stepper> make(const Model& model, const Settings&, const Execution&) {
+std::unique_ptr<Stepper> make_spring_explicit(const Model& model, const Settings&, const Execution&) {
   return std::make_unique<SpringExplicitStepper>(model);
 }
 
@@ -65,10 +65,10 @@ Method spring_explicit_method() {
   return {"spring-explicit",
           "symplectic Euler on springs; unstable beyond ω·h = 2",
           "Hairer, Lubich and Wanner, Geometric Numerical Integration (2006)",
-          params,
+          spring_explicit_params,
           can,
           {17.0, 0.0, 0.0},
-          make};
+          make_spring_explicit};
 }
 
 }  // namespace taut

@@ -26,7 +26,7 @@ namespace taut {
 namespace {
 
 using Matrix3 = Eigen::Matrix3d;
-constexpr int most_rounds = 60;
+constexpr int most_newton_rounds = 60;
 
 class SpringImplicitStepper final : public SwappingStepper {
  public:
@@ -70,7 +70,7 @@ class SpringImplicitStepper final : public SwappingStepper {
     if (springs_.empty()) return true;
     const double shortest = *std::min_element(springs_.links.length.begin(), springs_.links.length.end());
     const double tolerance = length_tolerance(springs_.links, position_) * shortest;
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < most_newton_rounds; ++round) {
       assemble(start, h);
       if (!analysed_) solver_.analyzePattern(matrix_);
       analysed_ = true;
@@ -151,9 +151,9 @@ class SpringImplicitStepper final : public SwappingStepper {
   std::vector<double> spring_tension_;
 };
 
-constexpr std::array params{steps_per_second_param(240.0)};
+constexpr std::array spring_implicit_params{steps_per_second_param(240.0)};
 
-std::unique_ptr<Stepper> make(const Model& model, const Settings&, const Execution&) {
+std::unique_ptr<Stepper> make_spring_implicit(const Model& model, const Settings&, const Execution&) {
   return std::make_unique<SpringImplicitStepper>(model);
 }
 
@@ -170,10 +170,10 @@ Method spring_implicit_method() {
   return {"spring-implicit",
           "backward Euler on springs, solved by Newton's method",
           "Baraff and Witkin, Large Steps in Cloth Simulation (1998)",
-          params,
+          spring_implicit_params,
           can,
           {15.0, 0.0, 40.0},
-          make};
+          make_spring_implicit};
 }
 
 }  // namespace taut

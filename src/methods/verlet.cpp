@@ -86,9 +86,9 @@ class VerletStepper final : public FileOrderStepper {
   Vectors start_, velocity_;
 };
 
-constexpr std::array params{steps_per_second_param(600.0), passes_param(1.0), impact_passes_param()};
+constexpr std::array verlet_params{steps_per_second_param(600.0), passes_param(1.0), impact_passes_param()};
 
-std::unique_ptr<Stepper> make(const Model& model, const Settings& settings, const Execution&) {
+std::unique_ptr<Stepper> make_verlet(const Model& model, const Settings& settings, const Execution&) {
   return std::make_unique<VerletStepper>(model, pass_counts(settings));
 }
 
@@ -106,10 +106,10 @@ Method verlet_method() {
   return {"verlet",
           "Störmer–Verlet with mass-weighted relaxation",
           "Jakobsen, Advanced Character Physics (2001)",
-          params,
+          verlet_params,
           can,
           {5.0, 6.0, 0.0},
-          make};
+          make_verlet};
 }
 
 }  // namespace taut

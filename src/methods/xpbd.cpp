@@ -90,7 +90,7 @@ class XpbdStepper final : public FileOrderStepper {
 };
 
 constexpr std::array<std::string_view, 2> precisions{"double", "single"};
-constexpr std::array params{
+constexpr std::array xpbd_params{
     steps_per_second_param(600.0),
     passes_param(1.0),
     impact_passes_param(),
@@ -98,13 +98,13 @@ constexpr std::array params{
           "of positions and velocities; single shows what rounding does, and is no quicker here"},
 };
 
-std::unique_ptr<Stepper> make(const Model& model, const Settings& settings, const Execution&) {
+std::unique_ptr<Stepper> make_xpbd(const Model& model, const Settings& settings, const Execution&) {
   const PassCounts passes = pass_counts(settings);
   if (settings.choice("precision") == "single") return make_single_xpbd(model, passes);
   return std::make_unique<XpbdStepper>(model, passes);
 }
 
-std::string refusal(const Model& model, const State&, const Settings& settings) {
+std::string xpbd_refusal(const Model& model, const State&, const Settings& settings) {
   const bool more =
       !model.limits.empty() || !touches_only_ground(model) || !model.joints.empty() || model.wind;
   if (settings.choice("precision") != "single" || !more) return {};
@@ -127,11 +127,11 @@ Method xpbd_method() {
   return {"xpbd",
           "compliant position-based dynamics in small steps",
           "Macklin et al., XPBD (2016); Small Steps in Physics Simulation (2019)",
-          params,
+          xpbd_params,
           can,
           {6.0, 6.0, 0.0},
-          make,
-          refusal};
+          make_xpbd,
+          xpbd_refusal};
 }
 
 }  // namespace taut

@@ -9,7 +9,6 @@
 namespace taut {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
 // At the start an angle may be this far outside, so that a range may end where the angle begins.
 constexpr double rounding = 1e-9;  // rad
 

@@ -24,7 +24,6 @@
 namespace taut {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
 constexpr double chest_depth = 0.055, elbow_half_width = 0.020, knee_half_width = 0.030;
 constexpr double toe_height = 0.025;
 constexpr double head_radius = 1.0 - winter::shoulder_height - winter::head_and_neck.length;

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "builder.h"
 
@@ -74,7 +73,7 @@ void add_contacts(Builder& builder) {
 }  // namespace
 
 Eigen::Matrix3d turned(const Vec3& degrees) {
-  const Vec3 angles = degrees * (std::numbers::pi / 180.0);
+  const Vec3 angles = degrees * degree;
   return (Eigen::AngleAxisd(angles.z(), Vec3::UnitZ()) * Eigen::AngleAxisd(angles.y(), Vec3::UnitY()) *
           Eigen::AngleAxisd(angles.x(), Vec3::UnitX()))
       .toRotationMatrix();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -8,6 +9,8 @@
 #include "model/description.h"
 
 namespace taut {
+
+inline constexpr double degree = std::numbers::pi / 180.0;  // rad
 
 /// A Model and its start while they grow, mass by mass and link by link.
 class Builder {

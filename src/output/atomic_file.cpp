@@ -13,7 +13,7 @@
 namespace taut {
 namespace {
 
-[[noreturn]] void fail(const std::filesystem::path& file, int error) {
+[[noreturn]] void cannot_write(const std::filesystem::path& file, int error) {
   throw RunFailure(fmt::format("can't write {}: {}", file.string(), std::generic_category().message(error)));
 }
 
@@ -29,7 +29,7 @@ PendingFile::PendingFile(std::filesystem::path final_name)
   constexpr mode_t everyone_as_umask_allows = 0666;
   descriptor_ =
       ::open(temporary_.c_str(), O_CREAT | O_TRUNC | O_WRONLY | O_CLOEXEC, everyone_as_umask_allows);
-  if (descriptor_ < 0) fail(final_, errno);
+  if (descriptor_ < 0) cannot_write(final_, errno);
 }
 
 PendingFile::~PendingFile() {
@@ -41,15 +41,15 @@ void PendingFile::write(std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
-    if (written < 0) fail(final_, errno);
+    if (written < 0) cannot_write(final_, errno);
     bytes = bytes.subspan(static_cast<std::size_t>(written));
   }
 }
 
 void PendingFile::commit() {
   // Some file systems report a full disk only when a file is closed.
-  if (::close(std::exchange(descriptor_, -1)) != 0) fail(final_, errno);
-  if (::rename(temporary_.c_str(), final_.c_str()) != 0) fail(final_, errno);
+  if (::close(std::exchange(descriptor_, -1)) != 0) cannot_write(final_, errno);
+  if (::rename(temporary_.c_str(), final_.c_str()) != 0) cannot_write(final_, errno);
   temporary_.clear();
 }
 

@@ -88,17 +88,17 @@ std::string data_block(const std::string& name, const std::vector<std::pair<doub
 }
 
 // A rectangle in pixels from the plot's lower left.
-struct Box {
+struct LabelBox {
   double left, right, low, high;
 
-  bool meets(const Box& other) const {
+  bool meets(const LabelBox& other) const {
     return left < other.right && other.left < right && low < other.high && other.low < high;
   }
 };
 
 // Where the name of a place on the front stands: below and left of it, where nothing else is, for no point is
 // better.
-Box front_box(const FigureLabel& label, const Axes& axes) {
+LabelBox front_box(const FigureLabel& label, const Axes& axes) {
   const double x = axes.x.pixel(label.x) - 0.6 * plot_letters, y = axes.y.pixel(label.y) - 0.9 * plot_letters;
   const double half = 0.6 * plot_small_letters;
   return {x - small_letter_width * static_cast<double>(label.text.size()), x, y - half, y + half};
@@ -121,15 +121,15 @@ struct NameTag {
   const FigureCurve* curve;
   double x, y, point_x, point_y;
 
-  Box box() const {
+  LabelBox box() const {
     const double half = 0.62 * plot_letters;
     return {x - letter_width * static_cast<double>(curve->name.size()) - name_gap, x + 4.0, y - half,
             y + half};
   }
 };
 
-std::vector<Box> obstacles(const ChartFigure& figure, const Axes& axes) {
-  std::vector<Box> boxes;
+std::vector<LabelBox> obstacles(const ChartFigure& figure, const Axes& axes) {
+  std::vector<LabelBox> boxes;
   for (const FigureLabel* label : front_names(figure, axes)) boxes.push_back(front_box(*label, axes));
   for (const FigureCurve& curve : figure.curves)
     for (const FigurePoint& point : curve.points) {
@@ -151,9 +151,10 @@ std::vector<NameTag> place_names(const ChartFigure& figure, const Axes& axes) {
     tags.push_back({&curve, x - 22.0, y, x, y});
   }
   std::ranges::sort(tags, {}, &NameTag::y);
-  std::vector<Box> taken = obstacles(figure, axes);
+  std::vector<LabelBox> taken = obstacles(figure, axes);
   for (NameTag& tag : tags) {
-    while (std::ranges::any_of(taken, [&](const Box& box) { return box.meets(tag.box()); })) tag.y += 6.0;
+    while (std::ranges::any_of(taken, [&](const LabelBox& box) { return box.meets(tag.box()); }))
+      tag.y += 6.0;
     taken.push_back(tag.box());
   }
   return tags;
@@ -193,7 +194,7 @@ std::string tag_commands(const std::vector<NameTag>& tags, const Canvas& canvas)
 std::string front_commands(const ChartFigure& figure, const Axes& axes, const Canvas& canvas) {
   std::string commands;
   for (const FigureLabel* label : front_names(figure, axes)) {
-    const Box box = front_box(*label, axes);
+    const LabelBox box = front_box(*label, axes);
     commands += fmt::format("set label {} at screen {:.5f},{:.5f} right front font ',{}' tc rgb '{}'\n",
                             plot_text(label->text), canvas.x(box.right), canvas.y(0.5 * (box.low + box.high)),
                             plot_small_letters, plot_ink);

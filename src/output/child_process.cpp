@@ -21,7 +21,7 @@ extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX want
 namespace taut {
 namespace {
 
-[[noreturn]] void fail(const std::filesystem::path& program, int error) {
+[[noreturn]] void cannot_start(const std::filesystem::path& program, int error) {
   throw RunFailure(
       fmt::format("can't start {}: {}", program.string(), std::generic_category().message(error)));
 }
@@ -105,11 +105,11 @@ ChildProcess::ChildProcess(const std::filesystem::path& program, const std::vect
   // A socket instead of a pipe as its input: sending to one whose reader has gone can be told not to raise
   // SIGPIPE.
   std::array<int, 2> input{-1, -1}, complaints{-1, -1};
-  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, input.data()) != 0) fail(program, errno);
+  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, input.data()) != 0) cannot_start(program, errno);
   if (::pipe2(complaints.data(), O_CLOEXEC) != 0) {
     const int error = errno;
     for (int& descriptor : input) close_if_open(descriptor);
-    fail(program, error);
+    cannot_start(program, error);
   }
   input_ = input[0];
   complaints_ = complaints[0];
@@ -131,7 +131,7 @@ ChildProcess::ChildProcess(const std::filesystem::path& program, const std::vect
   if (error != 0) {
     close_if_open(input_);
     close_if_open(complaints_);
-    fail(program, error);
+    cannot_start(program, error);
   }
   ::shutdown(input_, SHUT_RD);
   reader_ = std::thread(keep_last, complaints_, std::ref(last_lines_));

@@ -31,3 +31,7 @@ add_custom_command(
   VERBATIM)
 target_sources(taut_render PRIVATE ${taut_embedded_shaders})
 target_include_directories(taut_render PRIVATE ${CMAKE_CURRENT_LIST_DIR})
+
+# Each context's own header brings an OpenGL that has other names than glcorearb.h.
+set_source_files_properties(${CMAKE_CURRENT_LIST_DIR}/osmesa_context.cpp ${CMAKE_CURRENT_LIST_DIR}/egl_context.cpp
+                            PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)

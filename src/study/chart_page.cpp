@@ -7,7 +7,7 @@
 namespace taut {
 namespace {
 
-constexpr std::string_view head = R"HTML(<!DOCTYPE html>
+constexpr std::string_view page_head = R"HTML(<!DOCTYPE html>
 <html lang="en">
 <head>
 <meta charset="utf-8">
@@ -41,7 +41,7 @@ svg text { fill: #333; font-size: 15px; }
 <div id="notes"></div>
 <script type="application/json" id="data">)HTML";
 
-constexpr std::string_view script = R"HTML(</script>
+constexpr std::string_view page_script = R"HTML(</script>
 <script>
 'use strict';
 const charts = JSON.parse(document.getElementById('data').textContent);
@@ -193,13 +193,13 @@ std::string fit_for_script(std::string_view json) {
 }  // namespace
 
 std::string chart_page(const std::vector<std::string>& charts) {
-  std::string page(head), colours;
+  std::string page(page_head), colours;
   page += '[';
   for (std::size_t i = 0; i < charts.size(); ++i) page += (i > 0 ? "," : "") + fit_for_script(charts[i]);
   page += ']';
   for (std::size_t i = 0; i < 8; ++i) colours += fmt::format("{}'{}'", i > 0 ? ", " : "", plot_colour(i));
   page += fmt::format("</script>\n<script>const colours = [{}];", colours);
-  page += script;
+  page += page_script;
   return page;
 }
 

@@ -13,12 +13,12 @@
 namespace taut {
 namespace {
 
-struct Point {
+struct FrontPoint {
   double seconds, error;
 };
 
 // The curve's own front, from cheap to dear.
-std::vector<Point> front_of(const Chart& chart, std::size_t curve, ErrorKind kind) {
+std::vector<FrontPoint> front_of(const Chart& chart, std::size_t curve, ErrorKind kind) {
   std::vector<double> costs, errors;
   for (const ChartCase& done : chart.cases) {
     if (done.point.curve != curve || done.run.diverged || !done.run.errors[kind]) continue;
@@ -26,12 +26,12 @@ std::vector<Point> front_of(const Chart& chart, std::size_t curve, ErrorKind kin
     // What is smaller can't be told from the truth.
     errors.push_back(std::max(*done.run.errors[kind], *chart.truth.smallest[kind]));
   }
-  std::vector<Point> front;
+  std::vector<FrontPoint> front;
   for (const std::size_t i : pareto_front(costs, errors)) front.push_back({costs[i], errors[i]});
   return front;
 }
 
-double along(const Point& a, const Point& b, double error) {
+double along(const FrontPoint& a, const FrontPoint& b, double error) {
   const double share = std::log(error / a.error) / std::log(b.error / a.error);
   return a.seconds * std::pow(b.seconds / a.seconds, share);
 }
@@ -93,14 +93,14 @@ std::string cell(const Chart& chart, double error) {
 }  // namespace
 
 std::optional<CostAt> cost_at(const Chart& chart, std::size_t curve, ErrorKind kind, double error) {
-  const std::vector<Point> front = front_of(chart, curve, kind);
+  const std::vector<FrontPoint> front = front_of(chart, curve, kind);
   if (front.empty()) return std::nullopt;
   if (error >= front.front().error) return CostAt{front.front().seconds, false};
   for (std::size_t i = 1; i < front.size(); ++i)
     if (error >= front[i].error) return CostAt{along(front[i - 1], front[i], error), false};
   // A curve that falls as it should halves its error when it costs at most four times as much.
   if (front.size() < 3) return std::nullopt;
-  const Point &a = front[front.size() - 2], &b = front.back();
+  const FrontPoint &a = front[front.size() - 2], &b = front.back();
   const double slope = std::log(b.seconds / a.seconds) / std::log(a.error / b.error);
   constexpr double steepest = 2.0, furthest = 100.0;
   if (slope > steepest || b.error > furthest * error) return std::nullopt;

@@ -21,7 +21,7 @@ std::string key_of(const Scene& scene, const std::vector<double>& times, double 
   return hash.add(std::span(&accuracy, 1)).add(std::span(&most_seconds, 1)).hex();
 }
 
-Json to_json(const Reference& reference) {
+Json reference_to_json(const Reference& reference) {
   return {{"states", states_to_json(reference.states)},
           {"uncertainty", reference.uncertainty},
           {"certified_until", reference.certified_until},
@@ -29,7 +29,7 @@ Json to_json(const Reference& reference) {
           {"refusal", reference.refusal}};
 }
 
-Reference from_json(const Json& json, const State& start) {
+Reference reference_from_json(const Json& json, const State& start) {
   Reference reference;
   reference.states = states_from_json(json.at("states"), start);
   json.at("uncertainty").get_to(reference.uncertainty);
@@ -63,8 +63,8 @@ Reference cached_reference(const Scene& scene, const std::vector<double>& times,
                            const std::filesystem::path& folder, double most_seconds, const StopTest& stop) {
   return cached(
       folder / (key_of(scene, times, accuracy, most_seconds) + ".json"),
-      [&] { return make_reference(scene.model, scene.start, times, accuracy, most_seconds, stop); }, to_json,
-      [&](const Json& json) { return from_json(json, scene.start); });
+      [&] { return make_reference(scene.model, scene.start, times, accuracy, most_seconds, stop); },
+      reference_to_json, [&](const Json& json) { return reference_from_json(json, scene.start); });
 }
 
 }  // namespace taut

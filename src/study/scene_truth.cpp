@@ -76,7 +76,7 @@ Json summaries_to_json(const std::vector<Summary>& summaries) {
   return json;
 }
 
-Json to_json(const Truth& truth) {
+Json truth_to_json(const Truth& truth) {
   return {{"times", truth.times},
           {"states", states_to_json(truth.states)},
           {"summaries", summaries_to_json(truth.summaries)},
@@ -85,7 +85,7 @@ Json to_json(const Truth& truth) {
           {"smallest", errors_to_json(truth.smallest)}};
 }
 
-Truth from_json(const Json& json, const State& start) {
+Truth truth_from_json(const Json& json, const State& start) {
   Truth truth;
   json.at("times").get_to(truth.times);
   truth.states = states_from_json(json.at("states"), start);
@@ -166,9 +166,9 @@ std::optional<Truth> cached_motion(const Scene& scene, const TruthRequest& reque
   auto truth = cached(
       agreement_file(scene, request, spans, "motion", folder),
       [&] { return motion_by_agreement(scene, spans.wanted, spans.calm, request); },
-      [](const std::optional<Truth>& found) { return found ? to_json(*found) : Json(); },
+      [](const std::optional<Truth>& found) { return found ? truth_to_json(*found) : Json(); },
       [&](const Json& json) {
-        return json.is_null() ? std::nullopt : std::optional(from_json(json, scene.start));
+        return json.is_null() ? std::nullopt : std::optional(truth_from_json(json, scene.start));
       });
   if (truth && truth->horizon() < spans.wanted)
     truth->remark = cut_remark(truth->horizon(), spans.wanted, "beyond that no two methods agree");
@@ -179,8 +179,8 @@ Truth cached_summaries(const Scene& scene, const TruthRequest& request, const Sp
                        const std::string& why, const std::filesystem::path& folder) {
   return cached(
       agreement_file(scene, request, spans, why, folder),
-      [&] { return summaries_by_agreement(scene, spans.calm, request, why); }, to_json,
-      [&](const Json& json) { return from_json(json, scene.start); });
+      [&] { return summaries_by_agreement(scene, spans.calm, request, why); }, truth_to_json,
+      [&](const Json& json) { return truth_from_json(json, scene.start); });
 }
 
 }  // namespace

@@ -15,12 +15,12 @@ namespace {
 
 using Json = nlohmann::json;
 
-const std::vector<std::string> flags{"--methods", "verlet,rattle", "--errors", "trajectory", "--budget",
-                                     "1s",        "--quiet"};
+const std::vector<std::string> chart_flags{"--methods", "verlet,rattle", "--errors", "trajectory", "--budget",
+                                           "1s",        "--quiet"};
 
 std::vector<std::string> chart_words(const std::string& scene, const std::string& folder) {
   std::vector<std::string> words{"chart", scene, "-o", folder};
-  words.insert(words.end(), flags.begin(), flags.end());
+  words.insert(words.end(), chart_flags.begin(), chart_flags.end());
   return words;
 }
 

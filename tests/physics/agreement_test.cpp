@@ -13,11 +13,6 @@ constexpr double bound = 1e-2;         // of the scene's size
 
 const std::vector<double> quarters{0.25, 0.5, 0.75, 1.0};
 
-Vec3 exact_bob(double time) {
-  const double angle = pendulum_angle_below_level(1.0, 9.81, time);
-  return {std::cos(angle), -std::sin(angle), 0.0};
-}
-
 TEST(AgreedMotion, OfAPendulumIsAsTrueAsItSays) {
   const Built built = build_valid(pendulum());
   const auto truth = agreed_motion(built.model, built.start,

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "measure/exact.h"
 #include "methods/registry.h"
 #include "model/description.h"
 #include "motion/simulate.h"
@@ -66,6 +67,12 @@ inline Description pendulum() {
   return description;
 }
 
+/// Where its bob is after a time (s), to rounding.
+inline Vec3 exact_bob(double time) {
+  const double angle = pendulum_angle_below_level(1.0, 9.81, time);
+  return {std::cos(angle), -std::sin(angle), 0.0};
+}
+
 /// A straight level chain, first mass pinned, released at rest.
 inline Description level_chain(int links, double link_length) {
   Description description;
@@ -97,6 +104,17 @@ inline Description spinning_dumbbell() {
   return description;
 }
 
+/// A hanging cloth of 1.2 m by 0.8 m.
+inline SheetSpec cloth(int rows, int columns) {
+  SheetSpec spec;
+  spec.name = "cloth";
+  spec.rows = rows;
+  spec.columns = columns;
+  spec.to = {1.2, 0.0, 0.0};
+  spec.down = {0.0, -0.8, 0.0};
+  return spec;
+}
+
 /// The names of all methods that fulfil a condition on their capabilities.
 template <typename Can>
 std::vector<std::string> methods_that(Can can) {
@@ -112,6 +130,10 @@ inline std::vector<std::string> every_method() {
 
 inline std::vector<std::string> rigid_methods() {
   return methods_that([](const Capabilities& can) { return can.rigid; });
+}
+
+inline std::vector<std::string> limit_methods() {
+  return methods_that([](const Capabilities& can) { return can.limits; });
 }
 
 /// A name that GoogleTest accepts for a parameterised case.

@@ -17,7 +17,7 @@
 #include "methods/registry.h"
 #include "motion/run.h"
 #include "other_process.h"
-#include "scene/scene.h"
+#include "scenes_of_the_program.h"
 
 namespace taut::test {
 namespace {
@@ -56,7 +56,7 @@ std::string hash_after(Run& run, std::int64_t steps) {
 class GoldenHashes : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(GoldenHashes, HoldWithAndWithoutAPauseInAnotherProcess) {
-  const Scene scene = load_scene(fs::path(TAUT_SCENE_FOLDER) / (GetParam() + ".toml"));
+  const Scene scene = scene_called(GetParam());
   const std::map<std::string, std::string> golden = read_golden();
   const bool write = std::getenv("TAUT_WRITE_GOLDEN") != nullptr;
   const std::int64_t steps = steps_of(scene);
@@ -82,14 +82,6 @@ TEST_P(GoldenHashes, HoldWithAndWithoutAPauseInAnotherProcess) {
       EXPECT_EQ(hash, found->second) << key;
     }
   }
-}
-
-std::vector<std::string> scene_names() {
-  std::vector<std::string> names;
-  for (const fs::directory_entry& entry : fs::directory_iterator(TAUT_SCENE_FOLDER))
-    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
-  std::ranges::sort(names);
-  return names;
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, GoldenHashes, ::testing::ValuesIn(scene_names()), case_name);

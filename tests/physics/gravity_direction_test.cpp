@@ -9,14 +9,10 @@
 
 #include "measure/rest_shape.h"
 #include "model/measures.h"
-#include "scene/scene.h"
+#include "scenes_of_the_program.h"
 
-namespace taut {
+namespace taut::test {
 namespace {
-
-Scene scene_called(const std::string& name) {
-  return load_scene(std::string(TAUT_SCENE_FOLDER) + "/" + name + ".toml");
-}
 
 Scene turned(Scene scene, const Eigen::Matrix3d& turn) {
   scene.model.gravity = turn * scene.model.gravity;
@@ -78,4 +74,4 @@ TEST(GravityDirection, ExactRestShapesTurnWithIt) {
 }
 
 }  // namespace
-}  // namespace taut
+}  // namespace taut::test

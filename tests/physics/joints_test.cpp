@@ -10,10 +10,10 @@ namespace {
 // Its joint only sees the hand, so that the elbows' share of the inertia has to come through the links.
 constexpr double length = 0.6;                       // m
 constexpr double hand_mass = 1.3, elbow_mass = 1.0;  // kg, of each
-constexpr Index hand = 6;
-constexpr double inertia = hand_mass * length * length + 2.0 * elbow_mass * (0.09 + 0.01);  // kg m²
-constexpr double level_torque = 9.81 * (hand_mass * length + 2.0 * elbow_mass * 0.3);       // N m
-constexpr double start_rate = 2.0;                                                          // rad/s
+constexpr Index hand_index = 6;
+constexpr double limb_inertia = hand_mass * length * length + 2.0 * elbow_mass * (0.09 + 0.01);  // kg m²
+constexpr double level_torque = 9.81 * (hand_mass * length + 2.0 * elbow_mass * 0.3);            // N m
+constexpr double start_rate = 2.0;                                                               // rad/s
 
 Built limb(double damping, double friction, double rate, const Vec3& gravity = Vec3::Zero()) {
   Description description;
@@ -40,17 +40,17 @@ Built limb(double damping, double friction, double rate, const Vec3& gravity = V
   for (std::size_t a = 0; a < corners.size(); ++a)
     for (std::size_t b = 0; b < a; ++b) description.links.push_back({corners[a], corners[b], {}, {}});
   Built built = build_valid(description);
-  built.model.joints = {{JointKind::hinge, {0, 1, hand, 2, 3}, damping, friction}};
+  built.model.joints = {{JointKind::hinge, {0, 1, hand_index, 2, 3}, damping, friction}};
   built.start.static_friction.joints.resize(1, Vec3::Zero());
   return built;
 }
 
 double angle_of(const State& state) {
-  return std::atan2(state.position.y[hand], state.position.x[hand]);
+  return std::atan2(state.position.y[hand_index], state.position.x[hand_index]);
 }
 
 double rate_of(const State& state) {
-  return state.velocity.at(hand).norm() / length;
+  return state.velocity.at(hand_index).norm() / length;
 }
 
 class JointMethods : public ::testing::TestWithParam<std::string> {};
@@ -58,7 +58,7 @@ class JointMethods : public ::testing::TestWithParam<std::string> {};
 // I ω' = −c ω:  the angle goes to ω₀ I/c as exp(−c t/I).
 TEST_P(JointMethods, DampingSlowsALimbAtItsRateEverCloserWithTheStep) {
   constexpr double damping = 2.0, time = 0.5;  // N m s/rad, s
-  const double exact = start_rate * inertia / damping * (1.0 - std::exp(-damping * time / inertia));
+  const double exact = start_rate * limb_inertia / damping * (1.0 - std::exp(-damping * time / limb_inertia));
   std::vector<double> steps, errors;
   for (const double rate : {200.0, 800.0, 3200.0}) {
     const State end = run(limb(damping, 0.0, start_rate), settings(GetParam(), rate, 30.0), time);
@@ -72,7 +72,7 @@ TEST_P(JointMethods, DampingSlowsALimbAtItsRateEverCloserWithTheStep) {
 // I ω' = −τ:  it stops at t = I ω₀/τ, having turned by I ω₀²/(2 τ), and stays there.
 TEST_P(JointMethods, CoulombFrictionStopsALimbInItsTimeAndOnItsWay) {
   constexpr double friction = 1.2;  // N m
-  const double stop = inertia * start_rate / friction;
+  const double stop = limb_inertia * start_rate / friction;
   const Built built = limb(0.0, friction, start_rate);
   const Settings how = settings(GetParam(), 2000.0, 30.0);
   const auto at = [&](double share) { return run(built, how, std::round(share * stop * 2000.0) / 2000.0); };
@@ -80,7 +80,7 @@ TEST_P(JointMethods, CoulombFrictionStopsALimbInItsTimeAndOnItsWay) {
   EXPECT_GT(rate_of(at(0.98)), 0.005 * start_rate);
   const State end = at(1.05);
   EXPECT_LT(rate_of(end), 1e-5 * start_rate);
-  EXPECT_NEAR(angle_of(end), 0.5 * inertia * start_rate * start_rate / friction, 0.01 * angle_of(end));
+  EXPECT_NEAR(angle_of(end), 0.5 * limb_inertia * start_rate * start_rate / friction, 0.01 * angle_of(end));
 }
 
 // A joint that is loaded at once gives way by about h² τ/(β m L²), β = 0.2, and then by nothing more, however
@@ -94,7 +94,7 @@ TEST_P(JointMethods, FrictionHoldsWhatItCanHoldAndDoesNotCreep) {
   EXPECT_LT(std::abs(angle_of(soon)), 2.0 * give);
   EXPECT_LT(std::abs(angle_of(late) - angle_of(soon)), 1e-7);
   const State falling = run(limb(0.0, 0.9 * level_torque, 0.0, {0.0, -9.81, 0.0}), how, 0.2);
-  EXPECT_NEAR(-angle_of(falling), 0.5 * 0.1 * level_torque / inertia * 0.04, 0.1 * -angle_of(falling));
+  EXPECT_NEAR(-angle_of(falling), 0.5 * 0.1 * level_torque / limb_inertia * 0.04, 0.1 * -angle_of(falling));
 }
 
 // Thrown and spinning: what joints take from one part they give to the other. How methods keep angular

@@ -1,12 +1,11 @@
 // Momentum of free bodies, energy over many periods, and velocities at driven pins.
 
-#include <filesystem>
 #include <numbers>
 
 #include "fixtures.h"
 #include "methods/acceleration.h"
 #include "model/measures.h"
-#include "scene/scene.h"
+#include "scenes_of_the_program.h"
 
 namespace taut::test {
 namespace {
@@ -32,8 +31,8 @@ Description bola() {
   return description;
 }
 
-constexpr double flight = 0.5;                   // s, about half a turn
-constexpr double coarse = 960.0, fine = 1920.0;  // steps/s
+constexpr double flight = 0.5;                             // s, about half a turn
+constexpr double coarse_rate = 960.0, fine_rate = 1920.0;  // steps/s
 
 // What half the step does to an error of first order.
 void expect_halved(double at_coarse, double at_fine) {
@@ -104,21 +103,22 @@ class Conserving : public ::testing::TestWithParam<std::string> {
 };
 
 TEST_P(Conserving, LinearMomentumAsItsCapabilitySays) {
-  expect_as_said(can().keeps.linear_momentum, course_error(coarse), course_error(fine));
+  expect_as_said(can().keeps.linear_momentum, course_error(coarse_rate), course_error(fine_rate));
 }
 
 TEST_P(Conserving, AngularMomentumAsItsCapabilitySays) {
-  expect_as_said(can().keeps.angular_momentum, spin_error(coarse), spin_error(fine));
+  expect_as_said(can().keeps.angular_momentum, spin_error(coarse_rate), spin_error(fine_rate));
 }
 
 // Where energy is kept it may swing, but not farther after many periods than in the first ones.
 TEST_P(Conserving, EnergyAsItsCapabilitySays) {
   const Keeping keeping = can().keeps.energy;
   if (keeping != Keeping::kept) {
-    expect_as_said(keeping, std::abs(energies(coarse, 1.0).back()), std::abs(energies(fine, 1.0).back()));
+    expect_as_said(keeping, std::abs(energies(coarse_rate, 1.0).back()),
+                   std::abs(energies(fine_rate, 1.0).back()));
     return;
   }
-  const std::vector<double> shares = energies(coarse, 40.0);
+  const std::vector<double> shares = energies(coarse_rate, 40.0);
   const auto largest = [](auto begin, auto end) {
     double most = 0.0;
     for (; begin != end; ++begin) most = std::max(most, std::abs(*begin));
@@ -134,7 +134,7 @@ INSTANTIATE_TEST_SUITE_P(Registry, Conserving, ::testing::ValuesIn(every_method(
 
 // The scene of the documents: what is left of the spin after 3 s.
 TEST(Bola, SpinsOnWithMethodsThatKeepIt) {
-  const Scene scene = load_scene(std::filesystem::path(TAUT_SCENE_FOLDER) / "bola.toml");
+  const Scene scene = scene_called("bola");
   ASSERT_TRUE(flies_freely(scene.model));
   const Built built{scene.model, scene.start, {}};
   const auto share_left = [&](const std::string& method) {

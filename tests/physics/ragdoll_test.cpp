@@ -1,12 +1,10 @@
 // The ragdoll: its body against Winter's table, and how it moves.
 
-#include <filesystem>
-
 #include "fixtures.h"
 #include "frames/simulation.h"
 #include "model/anthropometry.h"
 #include "model/measures.h"
-#include "scene/scene.h"
+#include "scenes_of_the_program.h"
 
 namespace taut::test {
 namespace {
@@ -190,7 +188,7 @@ TEST(Ragdoll, TumblesFreelyAsOneBody) {
 
 // Friction holds contacts and joints from one step to the next: a run that is taken up again has to know.
 TEST(Ragdoll, ARunTakenUpAgainIsTheSameToTheLastBit) {
-  Scene scene = load_scene(std::filesystem::path(TAUT_SCENE_FOLDER) / "ragdoll-pile.toml");
+  Scene scene = scene_called("ragdoll-pile");
   Built built{scene.model, scene.start, {}};
   built.start = run(built, settings("xpbd", 2400.0, 2.0), 1.0);
   EXPECT_FALSE(built.start.static_friction.bodies.empty());
@@ -236,7 +234,7 @@ INSTANTIATE_TEST_SUITE_P(Registry, HoldingMethods,
 class RagdollScenes : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(RagdollScenes, EveryFrameKeepsLimitsJointsAndGround) {
-  const Scene scene = load_scene(std::filesystem::path(TAUT_SCENE_FOLDER) / (GetParam() + ".toml"));
+  const Scene scene = scene_called(GetParam());
   Simulation simulation(scene);
   constexpr double frames_per_second = 30.0;
   double excess = 0.0, depth = 0.0, strain = 0.0;
@@ -263,7 +261,7 @@ INSTANTIATE_TEST_SUITE_P(Folder, RagdollScenes,
 // feet have slid on the landing, one pass a step is more than a hundredth of the scene's size away from what
 // many passes agree on, however short the steps.
 TEST(Impacts, OfOnePassAStepConvergeToAnotherMotion) {
-  const Scene scene = load_scene(std::filesystem::path(TAUT_SCENE_FOLDER) / "ragdoll-drop.toml");
+  const Scene scene = scene_called("ragdoll-drop");
   const Built built{scene.model, scene.start, {}};
   const auto end = [&](double passes, double rate) {
     return run(built, settings("verlet", rate, passes), 0.25);

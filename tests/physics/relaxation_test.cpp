@@ -10,11 +10,6 @@
 namespace taut::test {
 namespace {
 
-Vec3 exact_bob(double t) {
-  const double angle = pendulum_angle_below_level(1.0, 9.81, t);
-  return {std::cos(angle), -std::sin(angle), 0.0};
-}
-
 TEST(Exact, PendulumMatchesThePublishedValues) {
   EXPECT_NEAR(pendulum_period(1.0, 9.81), 2.3678419475762, 1e-12);
   EXPECT_NEAR(exact_bob(1.0).x(), -0.9862917511319, 1e-12);

@@ -4,14 +4,10 @@
 
 #include "base/failure.h"
 #include "model/measures.h"
-#include "scene/scene.h"
+#include "scenes_of_the_program.h"
 
-namespace taut {
+namespace taut::test {
 namespace {
-
-Scene scene_called(const std::string& name) {
-  return load_scene(std::string(TAUT_SCENE_FOLDER) + "/" + name + ".toml");
-}
 
 Settings verlet(double passes) {
   return {"verlet", {{"steps_per_second", 60.0}, {"passes", passes}}};
@@ -113,4 +109,4 @@ b = "bob"
 }
 
 }  // namespace
-}  // namespace taut
+}  // namespace taut::test

@@ -7,7 +7,7 @@
 #include "frames/simulation.h"
 #include "measure/work_precision.h"
 #include "motion/simulate.h"
-#include "scene/scene.h"
+#include "scenes_of_the_program.h"
 
 namespace taut::test {
 namespace {
@@ -53,7 +53,7 @@ TEST(RunReport, ARunWithMoreEnergyThanItCanHaveAfterHalvingsIsRuined) {
 // By hash, for every method that takes the scene, drawn between the steps or not.
 TEST(OneLoop, TimedJudgedAndDrawnRunsAreTheSame) {
   for (const char* name : {"chain-20", "bridge", "net-catch"}) {
-    Scene scene = load_scene(std::string(TAUT_SCENE_FOLDER) + "/" + name + ".toml");
+    Scene scene = scene_called(name);
     constexpr double duration = 0.2;  // s
     for (const Method& method : all_methods()) {
       scene.settings = complete_settings({std::string(method.name), {{"steps_per_second", 2400.0}}});

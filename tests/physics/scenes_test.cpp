@@ -2,34 +2,18 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <set>
-
+#include "fixtures.h"
 #include "frames/simulation.h"
 #include "measure/expectation.h"
-#include "scene/scene.h"
+#include "scenes_of_the_program.h"
 
 namespace taut::test {
 namespace {
 
-std::vector<std::string> scene_names() {
-  std::set<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(TAUT_SCENE_FOLDER))
-    if (entry.path().extension() == ".toml") names.insert(entry.path().stem().string());
-  return {names.begin(), names.end()};
-}
-
-std::string scene_case(const ::testing::TestParamInfo<std::string>& info) {
-  std::string name = info.param;
-  for (char& letter : name)
-    if (letter == '-') letter = '_';
-  return name;
-}
-
 class Scenes : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Scenes, EndAsTheyExpect) {
-  const Scene scene = load_scene(std::filesystem::path(TAUT_SCENE_FOLDER) / (GetParam() + ".toml"));
+  const Scene scene = scene_called(GetParam());
   Simulation simulation(scene);
   const std::optional<State> end = simulation.at(scene.duration);
   ASSERT_TRUE(end);
@@ -38,7 +22,7 @@ TEST_P(Scenes, EndAsTheyExpect) {
   for (const Finding& finding : findings) EXPECT_TRUE(finding.holds) << finding.key << ": " << finding.text;
 }
 
-INSTANTIATE_TEST_SUITE_P(Folder, Scenes, ::testing::ValuesIn(scene_names()), scene_case);
+INSTANTIATE_TEST_SUITE_P(Folder, Scenes, ::testing::ValuesIn(scene_names()), case_name);
 
 }  // namespace
 }  // namespace taut::test

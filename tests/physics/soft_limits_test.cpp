@@ -13,8 +13,8 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
 constexpr double stop = 20.0 * degree;
-constexpr double soft = 0.01;  // rad/(N m)
-constexpr double g = 9.81;     // m/s²
+constexpr double soft_compliance = 0.01;  // rad/(N m)
+constexpr double g = 9.81;                // m/s²
 
 // 1 kg on an arm of 1 m, level at the start, that a limit of each kind meets 20 degrees below.
 Description arm_on(LimitKind kind, double compliance) {
@@ -72,7 +72,7 @@ S runge_kutta(S state, double time, int steps, const std::function<S(const S&)>&
 double exact_arm(double time, int steps) {
   using S = Eigen::Vector2d;
   return runge_kutta<S>({0.0, 0.0}, time, steps, [](const S& s) -> S {
-    return {s[1], g * std::cos(s[0]) - std::max(s[0] - stop, 0.0) / soft};
+    return {s[1], g * std::cos(s[0]) - std::max(s[0] - stop, 0.0) / soft_compliance};
   })[0];
 }
 
@@ -82,7 +82,7 @@ Vec3 exact_hand(double time, int steps) {
   const double half = 0.5 * std::numbers::pi;
   const S end = runge_kutta<S>({half, half, 0.0, 0.0}, time, steps, [](const S& s) -> S {
     const double sine = std::sin(s[0] - s[1]), cosine = std::cos(s[0] - s[1]);
-    const double torque = std::max(s[1] - s[0] - 30.0 * degree, 0.0) / soft;
+    const double torque = std::max(s[1] - s[0] - 30.0 * degree, 0.0) / soft_compliance;
     const Eigen::Vector2d force(-sine * s[3] * s[3] - 2.0 * g * std::sin(s[0]) + torque,
                                 sine * s[2] * s[2] - g * std::sin(s[1]) - torque);
     const Eigen::Matrix2d inertia{{2.0, cosine}, {cosine, 1.0}};
@@ -101,13 +101,13 @@ class SoftLimits : public ::testing::TestWithParam<std::tuple<std::string, Limit
 // The arm comes to rest where the excess is compliance × torque; where velocities hold half a kick drag takes
 // its part of that, and relaxation leaves a rest: both go with the step.
 TEST_P(SoftLimits, GiveWayByComplianceTimesTorque) {
-  Description description = arm_on(kind(), soft);
+  Description description = arm_on(kind(), soft_compliance);
   description.drag = 20.0;
   const Built built = build_valid(description);
   std::vector<double> errors;
   for (const double rate : {250.0, 1000.0}) {
     const double excess = below_level(run(built, settings(method(), rate, 20.0), 4.0)) - stop;
-    errors.push_back(std::abs(excess - soft * g * std::cos(stop + excess)));
+    errors.push_back(std::abs(excess - soft_compliance * g * std::cos(stop + excess)));
   }
   if (method() == "rattle" || method() == "newton") {
     EXPECT_LT(errors[0], 1e-7) << "rad";
@@ -123,7 +123,7 @@ TEST_P(SoftLimits, ASwingConvergesToTheReference) {
   constexpr double duration = 0.75;  // s: the arm meets the limit at 0.27 s
   const double exact = exact_arm(duration, 100000);
   ASSERT_NEAR(exact_arm(duration, 50000), exact, 1e-9) << "the reference";
-  const Built built = build_valid(arm_on(kind(), soft));
+  const Built built = build_valid(arm_on(kind(), soft_compliance));
   std::vector<double> steps, errors;
   for (const double rate : {1000.0, 2000.0, 4000.0, 8000.0}) {
     const State end = run(built, settings(method(), rate, 20.0), duration);
@@ -142,7 +142,7 @@ TEST_P(SoftLimits, ALimitBetweenMovingBodiesConvergesToTheReference) {
   const Vec3 exact = exact_hand(duration, 100000);
   ASSERT_LT((exact_hand(duration, 50000) - exact).norm(), 1e-9) << "the reference";
   Description description = stopped_pendulum();
-  description.angles[0].compliance = soft;
+  description.angles[0].compliance = soft_compliance;
   const Built built = build_valid(description);
   std::vector<double> steps, errors;
   for (const double rate : {1000.0, 2000.0, 4000.0, 8000.0}) {
@@ -167,10 +167,6 @@ TEST_P(SoftLimits, NearlyHardOnesHoldAtLongSteps) {
   }
 }
 
-std::vector<std::string> limit_methods() {
-  return methods_that([](const Capabilities& can) { return can.limits; });
-}
-
 std::string soft_case_name(const ::testing::TestParamInfo<std::tuple<std::string, LimitKind>>& each) {
   const LimitKind kind = std::get<1>(each.param);
   return std::get<0>(each.param) + (kind == LimitKind::angle   ? "_angle"
@@ -186,7 +182,7 @@ INSTANTIATE_TEST_SUITE_P(Registry, SoftLimits,
 
 // What goes into the limit comes out of it again.
 TEST(SoftLimitEnergy, IsKeptByRattle) {
-  const Built built = build_valid(arm_on(LimitKind::angle, soft));
+  const Built built = build_valid(arm_on(LimitKind::angle, soft_compliance));
   const double before = energy(built.model, built.start).total();
   double deepest = 0.0;
   State state = built.start;
@@ -204,9 +200,9 @@ TEST(SoftLimitEnergy, IsKeptByRattle) {
 TEST(SoftLimitSpring, SwingsAboutARangeOfOneAngle) {
   using S = Eigen::Vector2d;
   const double exact = runge_kutta<S>({0.0, -2.0}, 0.6, 100000, [](const S& s) -> S {
-    return {s[1], g * std::cos(s[0]) - s[0] / soft};
+    return {s[1], g * std::cos(s[0]) - s[0] / soft_compliance};
   })[0];
-  Description description = arm_on(LimitKind::hinge, soft);
+  Description description = arm_on(LimitKind::hinge, soft_compliance);
   description.hinges[0].min = description.hinges[0].max = 0.0;
   description.masses[3].velocity = {0.0, 2.0, 0.0};
   const Built built = build_valid(description);

@@ -4,13 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <functional>
 
 #include "fixtures.h"
 #include "measure/exact.h"
 #include "measure/explicit_integrator.h"
-#include "scene/scene.h"
+#include "scenes_of_the_program.h"
 
 namespace taut::test {
 namespace {
@@ -163,8 +162,7 @@ TEST(VerletTension, HoldsWhatHangs) {
 
 // The rope bridge carries 70.9 N in its outermost links, by the balance of forces at every mass.
 TEST(VerletTension, OfTheBridge) {
-  const Scene scene =
-      load_scene(std::filesystem::path(TAUT_SCENE_FOLDER) / "bridge.toml", {{}, std::string("verlet")});
+  const Scene scene = scene_called("bridge", {{}, std::string("verlet")});
   State state = scene.start;
   const double rate = scene.settings.steps_per_second();
   simulate(scene.model, state, scene.settings, std::llround(scene.duration * rate));

@@ -17,10 +17,9 @@ using testing::channel_at;
 using testing::cut_out;
 using testing::draw_once;
 using testing::row_of_masses;
+using testing::size;
 using testing::straight_on;
 using testing::upright_sheet;
-
-constexpr Size size{320, 180};
 
 /// The line of sight through a place in the picture of straight_on().
 Vec3 sight_through(double x, double y) {

@@ -9,6 +9,9 @@
 
 namespace taut::testing {
 
+/// Of small pictures.
+inline constexpr Size size{320, 180};
+
 inline std::string mass_name(std::size_t i) {
   return std::string("m").append(std::to_string(i));
 }
@@ -70,8 +73,8 @@ inline Look bare_look() {
   return look;
 }
 
-inline RenderSettings cut_out(Size size) {
-  return {.size = size, .samples = 4, .shadow_map_size = 0, .transparent = true};
+inline RenderSettings cut_out(Size picture) {
+  return {.size = picture, .samples = 4, .shadow_map_size = 0, .transparent = true};
 }
 
 inline Image draw_once(const Model& model, const State& state, const Look& look,

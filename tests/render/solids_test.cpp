@@ -17,9 +17,8 @@ using testing::bare_look;
 using testing::channel_at;
 using testing::cut_out;
 using testing::draw_once;
+using testing::size;
 using testing::straight_on;
-
-constexpr Size size{320, 180};
 
 // The pixel in which straight_on() sees a place.
 std::array<int, 2> pixel_of(const Vec3& place) {

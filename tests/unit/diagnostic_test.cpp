@@ -9,12 +9,12 @@
 namespace taut {
 namespace {
 
-constexpr std::string_view text = "[solve]\nmethod = \"xpbd\"\ncomplance = 1\n";
+constexpr std::string_view source_text = "[solve]\nmethod = \"xpbd\"\ncomplance = 1\n";
 
 TEST(Diagnostic, NamesPlaceLineCaretAndHint) {
   const Diagnostic diagnostic{"scenes/cloth.toml", 3, 1, "unknown key \"complance\" in [solve]",
                               did_you_mean("compliance", "m/N")};
-  EXPECT_EQ(to_text(diagnostic, text),
+  EXPECT_EQ(to_text(diagnostic, source_text),
             "scenes/cloth.toml:3:1: unknown key \"complance\" in [solve]\n"
             "    complance = 1\n"
             "    ^\n"
@@ -22,7 +22,7 @@ TEST(Diagnostic, NamesPlaceLineCaretAndHint) {
 }
 
 TEST(Diagnostic, WithoutAPlaceHasNoLine) {
-  EXPECT_EQ(to_text({"--set drag=x", 0, 0, "not so", "try this"}, text),
+  EXPECT_EQ(to_text({"--set drag=x", 0, 0, "not so", "try this"}, source_text),
             "--set drag=x: not so\n    try this");
 }
 

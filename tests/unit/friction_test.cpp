@@ -7,7 +7,7 @@
 namespace taut {
 namespace {
 
-constexpr double h = 0.001, along = 4.0, down = 9.81;  // s, m/s² along a level surface, m/s² onto it
+constexpr double step_size = 0.001, pull = 4.0, down = 9.81;  // s, m/s² along a level surface, m/s² onto it
 constexpr double answered = 0.6;  // share of a correction that the body behind it follows
 
 struct Slide {
@@ -20,26 +20,27 @@ Slide after(int steps, double coefficient) {
   Slide slide{0.0, Vec3::Zero()};
   for (int step = 0; step < steps; ++step) {
     StickingFriction friction(slide.slip);
-    Vec3 moved(h * slide.speed + h * h * along, -h * h * down, 0.0);
-    moved += answered * friction.hold(coefficient, h * h * down, Vec3::UnitY(), moved);
-    slide = {moved.x() / h, friction.slip(moved)};
+    Vec3 moved(step_size * slide.speed + step_size * step_size * pull, -step_size * step_size * down, 0.0);
+    moved += answered * friction.hold(coefficient, step_size * step_size * down, Vec3::UnitY(), moved);
+    slide = {moved.x() / step_size, friction.slip(moved)};
   }
   return slide;
 }
 
 // At rest the slip is what makes the corrections balance the pull. Forgotten, it would be a speed of
-// h · along · (1 − answered)/answered for ever.
+// step_size · pull · (1 − answered)/answered for ever.
 TEST(StickingFriction, WhatItCanHoldComesToRestAndDoesNotCreep) {
   const Slide held = after(1000, 0.8);
   EXPECT_LT(std::abs(held.speed), 1e-15);
-  EXPECT_NEAR(held.slip.x(), h * h * along * (1.0 - answered) / answered, 1e-15);
+  EXPECT_NEAR(held.slip.x(), step_size * step_size * pull * (1.0 - answered) / answered, 1e-15);
   EXPECT_EQ(held.slip.y(), 0.0);
 }
 
 TEST(StickingFriction, BeyondThatItTakesCoulombsShareAndNoMore) {
   const Slide sliding = after(1000, 0.3);
-  EXPECT_NEAR(sliding.speed, 1.0 * (along - answered * 0.3 * down), 1e-9);
-  EXPECT_NEAR(sliding.slip.norm(), 0.3 * h * h * down, 1e-15) << "as much as friction can hold";
+  EXPECT_NEAR(sliding.speed, 1.0 * (pull - answered * 0.3 * down), 1e-9);
+  EXPECT_NEAR(sliding.slip.norm(), 0.3 * step_size * step_size * down, 1e-15)
+      << "as much as friction can hold";
 }
 
 TEST(StickingFriction, TheSumOfAllPassesIsBoundedByTheSumOfAllPushes) {

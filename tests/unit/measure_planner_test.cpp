@@ -5,11 +5,12 @@
 
 #include "measure/cost.h"
 #include "measure/work_precision.h"
+#include "scenes_of_the_program.h"
 #include "study/scene_plan.h"
 #include "study/scene_truth.h"
 #include "temporary_folder.h"
 
-namespace taut {
+namespace taut::test {
 namespace {
 
 TEST(Accuracy, IsReadWithKindAndUnit) {
@@ -26,10 +27,6 @@ TEST(Accuracy, IsReadWithKindAndUnit) {
   EXPECT_DOUBLE_EQ(parse_accuracy("sag=0.5%")->error, 0.005);
   for (const char* bad : {"", "%", "fast", "1%%", "-1%", "0", "nan", "inf", "strain=1mm", "speed=1%", "sag="})
     EXPECT_FALSE(parse_accuracy(bad)) << bad;
-}
-
-Scene scene_named(const std::string& name) {
-  return load_scene(std::string(TAUT_SCENE_FOLDER) + "/" + name + ".toml");
 }
 
 // The runs of a grid against a truth, each judged once however often it is asked for.
@@ -78,7 +75,7 @@ class PlanTest : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(PlanTest, MeetsItsTargetAndNothingHalfAsDearDoes) {
   const testing::TemporaryFolder folder;
-  const Scene scene = scene_named(GetParam());
+  const Scene scene = scene_called(GetParam());
   const Truth truth = scene_truth(scene, {}, folder.path());
   ASSERT_TRUE(truth.certified) << truth.remark;
   JudgedGrid grid(scene, truth);
@@ -101,7 +98,7 @@ INSTANTIATE_TEST_SUITE_P(SmallScenes, PlanTest,
                                            "hanging-chain-two-pins", "bridge"));
 
 TEST(Plan, IsTheSameTwice) {
-  const Scene scene = scene_named("chain-20");
+  const Scene scene = scene_called("chain-20");
   const testing::TemporaryFolder folder, other;
   const AccuracyTarget target{ErrorKind::trajectory, 0.01, false};
   EXPECT_EQ(plan_scene(scene, target, {}, folder.path()).settings.values,
@@ -109,7 +106,7 @@ TEST(Plan, IsTheSameTwice) {
 }
 
 TEST(Plan, KeepsToTheMethodThatIsAskedFor) {
-  const Scene scene = scene_named("pendulum");
+  const Scene scene = scene_called("pendulum");
   const testing::TemporaryFolder folder;
   const Plan plan = plan_scene(scene, {ErrorKind::trajectory, 0.01, false}, "xpbd", folder.path());
   EXPECT_EQ(plan.settings.method, "xpbd");
@@ -118,7 +115,7 @@ TEST(Plan, KeepsToTheMethodThatIsAskedFor) {
 
 // Targets far enough apart that none is met by the plan of the one before.
 TEST(Plan, AFinerTargetCostsMore) {
-  const Scene scene = scene_named("chain-20");
+  const Scene scene = scene_called("chain-20");
   const testing::TemporaryFolder folder;
   double before = 0.0;
   for (const double wanted : {0.3, 0.01, 1e-3, 1e-4}) {
@@ -130,7 +127,7 @@ TEST(Plan, AFinerTargetCostsMore) {
 
 // Every method at every step that the plan could have had, by brute force.
 TEST(Plan, IsNoDearerThanAnyRunThatIsGoodEnough) {
-  const Scene scene = scene_named("chain-20");
+  const Scene scene = scene_called("chain-20");
   const testing::TemporaryFolder folder;
   constexpr double wanted = 0.01, well_within = 0.5 * wanted;
   const Plan plan = plan_scene(scene, {ErrorKind::trajectory, wanted, false}, {}, folder.path());
@@ -149,4 +146,4 @@ TEST(Plan, IsNoDearerThanAnyRunThatIsGoodEnough) {
 }
 
 }  // namespace
-}  // namespace taut
+}  // namespace taut::test

@@ -5,16 +5,6 @@
 namespace taut::test {
 namespace {
 
-SheetSpec cloth(int rows, int columns) {
-  SheetSpec spec;
-  spec.name = "cloth";
-  spec.rows = rows;
-  spec.columns = columns;
-  spec.to = {1.2, 0.0, 0.0};
-  spec.down = {0.0, -0.8, 0.0};
-  return spec;
-}
-
 // Masses come in the order chains, sheets, masses; links in the order chains, sheets, links.
 TEST(Build, OrderIsChainsThenSheetsThenMasses) {
   Description description;

@@ -8,16 +8,6 @@
 namespace taut::test {
 namespace {
 
-SheetSpec cloth(int rows, int columns) {
-  SheetSpec spec;
-  spec.name = "cloth";
-  spec.rows = rows;
-  spec.columns = columns;
-  spec.to = {1.2, 0.0, 0.0};
-  spec.down = {0.0, -0.8, 0.0};
-  return spec;
-}
-
 SheetSpec curtain(int hook_every, int pleats, double fullness) {
   SheetSpec spec = cloth(5, pleats * hook_every + 1);
   spec.hooks.every = hook_every;

@@ -10,27 +10,27 @@ namespace {
 
 using namespace std::string_view_literals;
 
-constexpr std::array keys{"compliance"sv, "stiffness"sv, "damping"sv, "drag"sv, "mass"sv};
+constexpr std::array known_keys{"compliance"sv, "stiffness"sv, "damping"sv, "drag"sv, "mass"sv};
 
 TEST(NearestName, FindsEachKindOfTypingError) {
-  EXPECT_EQ(nearest_name("complance", keys), "compliance") << "a letter missing";
-  EXPECT_EQ(nearest_name("stifffness", keys), "stiffness") << "a letter too many";
-  EXPECT_EQ(nearest_name("dampimg", keys), "damping") << "a wrong letter";
-  EXPECT_EQ(nearest_name("darg", keys), "drag") << "two letters swapped";
+  EXPECT_EQ(nearest_name("complance", known_keys), "compliance") << "a letter missing";
+  EXPECT_EQ(nearest_name("stifffness", known_keys), "stiffness") << "a letter too many";
+  EXPECT_EQ(nearest_name("dampimg", known_keys), "damping") << "a wrong letter";
+  EXPECT_EQ(nearest_name("darg", known_keys), "drag") << "two letters swapped";
 }
 
 TEST(NearestName, IsTheNameItselfWhenItIsThere) {
-  EXPECT_EQ(nearest_name("mass", keys), "mass");
+  EXPECT_EQ(nearest_name("mass", known_keys), "mass");
 }
 
 TEST(NearestName, IsEmptyWhenNothingIsMeant) {
-  EXPECT_EQ(nearest_name("elasticity", keys), "");
-  EXPECT_EQ(nearest_name("friction", keys), "");
+  EXPECT_EQ(nearest_name("elasticity", known_keys), "");
+  EXPECT_EQ(nearest_name("friction", known_keys), "");
 }
 
 TEST(NearestName, AllowsAThirdOfALongWordToDiffer) {
-  EXPECT_EQ(nearest_name("cmplince", keys), "compliance") << "2 of 8 letters";
-  EXPECT_EQ(nearest_name("cmplnc", keys), "") << "4 of 6 letters";
+  EXPECT_EQ(nearest_name("cmplince", known_keys), "compliance") << "2 of 8 letters";
+  EXPECT_EQ(nearest_name("cmplnc", known_keys), "") << "4 of 6 letters";
 }
 
 TEST(NearestName, IsEmptyWhenNothingOfAShortWordIsLeft) {
@@ -48,7 +48,7 @@ TEST(NearestName, TakesTheNearestOfSeveral) {
 TEST(NearestName, HandlesEmptyAndHugeWords) {
   EXPECT_EQ(nearest_name("", {}), "");
   EXPECT_EQ(nearest_name("x", {}), "");
-  EXPECT_EQ(nearest_name(std::string(1'000'000, 'a'), keys), "");
+  EXPECT_EQ(nearest_name(std::string(1'000'000, 'a'), known_keys), "");
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace taut {
 namespace {
 
-const std::string text = R"([world]
+const std::string scene_text = R"([world]
 drag = 0.1
 [solve]
 method = "euler"
@@ -37,11 +37,11 @@ b = "rope.4"
 )";
 
 Scene with(const std::vector<std::string>& sets, const std::optional<std::string>& method = {}) {
-  return parse_scene(text, "f.toml", {sets, method});
+  return parse_scene(scene_text, "f.toml", {sets, method});
 }
 
 std::string errors_with(const std::vector<std::string>& sets, const std::optional<std::string>& method = {},
-                        const std::string& scene = text) {
+                        const std::string& scene = scene_text) {
   try {
     parse_scene(scene, "f.toml", {sets, method});
     return {};
@@ -91,7 +91,7 @@ TEST(SceneChanges, TheLastOneHolds) {
 }
 
 TEST(SceneChanges, CanRepairAFile) {
-  const std::string broken = "[world]\ndrag = \"x\"\n" + text.substr(text.find("[[chain]]"));
+  const std::string broken = "[world]\ndrag = \"x\"\n" + scene_text.substr(scene_text.find("[[chain]]"));
   EXPECT_NE(errors_with({}, {}, broken), "");
   EXPECT_EQ(errors_with({"world.drag=0"}, {}, broken), "");
 }
@@ -128,7 +128,7 @@ TEST(SceneChanges, ThatAreNoneAreErrors) {
 }
 
 TEST(SceneChanges, AndTheFilesErrorsComeTogether) {
-  const std::string broken = "[look]\nthem = 1\n" + text;
+  const std::string broken = "[look]\nthem = 1\n" + scene_text;
   EXPECT_EQ(errors_with({"passe=1", "passes"}, {}, broken),
             "f.toml:2:1: unknown key \"them\" in [look]\n    them = 1\n    ^\n    did you mean \"theme\"?\n"
             "--set passes: must be key=value, such as world.drag=0.5\n"
@@ -153,7 +153,7 @@ TEST(SceneMethod, OfTheCommandLineDropsKeysOfOthers) {
 }
 
 TEST(SceneMethod, OfTheCommandLineDoesNotHideTypingErrors) {
-  std::string typo = text;
+  std::string typo = scene_text;
   typo.replace(typo.find("velocities"), 10, "velocitis");
   const std::string errors = errors_with({}, "xpbd", typo);
   EXPECT_TRUE(errors.starts_with("f.toml:6:1: unknown key \"velocitis\" in [solve]\n")) << errors;
@@ -182,7 +182,7 @@ TEST(SceneMethod, ThatCannotDoTheSceneIsNamedPlainly) {
 }
 
 TEST(SceneMethod, WithoutSolveIsXpbdInSmallSteps) {
-  const std::string plain = text.substr(text.find("[[chain]]"));
+  const std::string plain = scene_text.substr(scene_text.find("[[chain]]"));
   const Scene scene = parse_scene(plain, "f.toml");
   EXPECT_FALSE(scene.solve_given);
   EXPECT_EQ(scene.settings.method, "xpbd");

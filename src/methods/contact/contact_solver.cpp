@@ -5,7 +5,7 @@
 namespace taut {
 namespace {
 
-constexpr double margin = 0.02;  // m, that links may push something within a step
+constexpr double reach_ahead = 0.02;  // m, that links may push something within a step
 
 }  // namespace
 
@@ -30,7 +30,7 @@ void ContactSolver::begin_step(const std::vector<ContactSlip>& slips, const Vect
     const Vec3 x = points_.value(point, predicted);
     for (; k < pairs_.size() && pairs_[k].point == point; ++k)
       if (nearest_surface(model_.colliders[pairs_[k].collider].shape, x).distance <
-          points_.point(point).radius + margin)
+          points_.point(point).radius + reach_ahead)
         near_.push_back(pairs_[k]);
   }
   frictions_.clear();
