@@ -9,7 +9,7 @@
 namespace taut {
 namespace {
 
-constexpr int width = 1800;                                       // pixels
+constexpr int figure_width = 1800;                                // pixels
 constexpr int left = 200, right = 50, plot_height = 920;          // pixels
 constexpr int title_room = 120, least_top = 150;                  // pixels
 constexpr int axis_room = 175, note_line = 36;                    // pixels
@@ -47,12 +47,12 @@ Axes axes_of(const ChartFigure& figure) {
   std::size_t longest = 0;
   for (const FigureCurve& curve : figure.curves) longest = std::max(longest, curve.name.size());
   for (const FigureLabel& label : figure.front) longest = std::max(longest, label.text.size());
-  const double plot_width = width - left - right;
+  const double plot_width = figure_width - left - right;
   const double names = std::min(0.4, (letter_width * static_cast<double>(longest) + 20.0) / plot_width);
   const double decades = std::max(1.0, std::log10(x_high / x_low));
   const double floors = std::max(1.0, std::log10(y_high / y_low));
   return {{x_low * std::pow(10.0, -decades * names / (1.0 - names)), x_high * std::pow(10.0, 0.04 * decades),
-           left, width - right},
+           left, figure_width - right},
           {y_low * std::pow(10.0, -0.09 * floors), y_high * std::pow(10.0, 0.12 * floors), 0.0, plot_height}};
 }
 
@@ -173,7 +173,7 @@ struct Canvas {
     height = bottom + plot_height + std::max(least_top, title_room + overhang);
   }
 
-  double x(double pixel) const { return pixel / width; }
+  double x(double pixel) const { return pixel / figure_width; }
   double y(double pixel) const { return (bottom + pixel) / height; }
 };
 
@@ -212,7 +212,7 @@ std::string text_commands(const ChartFigure& figure, const std::vector<std::stri
                           plot_text(figure.subtitle), margin, 1.0 - 100.0 / canvas.height, plot_ink);
   commands +=
       fmt::format("set label {} at screen {:.5f},{:.5f} center tc rgb '{}'\n", plot_text(figure.x_label),
-                  canvas.x(0.5 * (left + width - right)), canvas.y(-122.0), plot_ink);
+                  canvas.x(0.5 * (left + figure_width - right)), canvas.y(-122.0), plot_ink);
   commands += fmt::format("set label {} at screen {:.5f},{:.5f} center rotate by 90 tc rgb '{}'\n",
                           plot_text(figure.y_label), canvas.x(35.0), canvas.y(0.5 * plot_height), plot_ink);
   double y = -axis_room;
@@ -226,7 +226,7 @@ std::string text_commands(const ChartFigure& figure, const std::vector<std::stri
 
 std::string axis_commands(const Axes& axes, const Canvas& canvas) {
   std::string commands = fmt::format("set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\n",
-                                     canvas.x(left), canvas.x(width - right));
+                                     canvas.x(left), canvas.x(figure_width - right));
   commands += fmt::format("set tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n",
                           canvas.y(plot_height), canvas.y(0.0));
   commands += fmt::format("set logscale xy\nset xrange [{:.9g}:{:.9g}]\nset yrange [{:.9g}:{:.9g}]\n",
@@ -272,7 +272,7 @@ PlotScript figure_script(const ChartFigure& figure) {
   std::string commands = axis_commands(axes, canvas) + text_commands(figure, notes, canvas) +
                          front_commands(figure, axes, canvas) + tag_commands(tags, canvas) +
                          curve_commands(figure);
-  return {std::move(commands), {width, canvas.height}};
+  return {std::move(commands), {figure_width, canvas.height}};
 }
 
 }  // namespace taut

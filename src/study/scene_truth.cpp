@@ -99,7 +99,7 @@ Truth truth_from_json(const Json& json, const State& start) {
 }
 
 // How long a motion has to be agreed on to be of use, of the time that is free of events.
-constexpr double enough = 0.25;
+constexpr double share_worth_having = 0.25;
 
 bool one_method_alone(const Model& model, const State& start) {
   const std::vector<MethodVariant> curves = variants_of(model, start).curves;
@@ -126,9 +126,9 @@ std::optional<Truth> motion_by_agreement(const Scene& scene, double horizon, dou
       if (!nearer || *nearer == times.back()) break;
       times = instants_until(*nearer);
     }
-    if (times.back() < enough * calm_until) continue;
+    if (times.back() < share_worth_having * calm_until) continue;
     std::optional<Truth> truth = look(times, request.agree_seconds);
-    if (truth && truth->horizon() >= enough * calm_until) return truth;
+    if (truth && truth->horizon() >= share_worth_having * calm_until) return truth;
   }
   return std::nullopt;
 }

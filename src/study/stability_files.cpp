@@ -15,6 +15,8 @@
 namespace taut {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 // Empty where there is no number.
 std::string csv_number(double value) {
   return std::isfinite(value) ? fmt::format("{}", value) : std::string();
@@ -74,7 +76,6 @@ std::string title_of(const StabilityMaps& maps, const Scene& scene) {
 }  // namespace
 
 std::string stability_json(const StabilityMaps& maps, const Scene& scene) {
-  using Json = nlohmann::ordered_json;
   Json methods = Json::array();
   for (const MethodMap& map : maps.maps) {
     Json columns = Json::array();
