@@ -69,6 +69,7 @@ std::vector<Scene> load_all(const ChartFlags& flags) {
   std::vector<Scene> scenes;
   for (const std::string& name : names) {
     scenes.push_back(load(name, {flags.sets, std::nullopt}));
+    print_notes(scenes.back(), flags.quiet);
     const std::string& scene = scenes.back().name;
     if (std::ranges::count(scenes, scene, &Scene::name) > 1)
       throw BadRequest(fmt::format("two scenes named {} would have the same files", scene));

@@ -8,9 +8,11 @@
 #include <optional>
 #include <string>
 
+#include "base/stop.h"
 #include "command_line.h"
 #include "exit_status.h"
 #include "flags.h"
+#include "interrupted.h"
 #include "planning.h"
 #include "values.h"
 #include "verbs.h"
@@ -32,7 +34,13 @@ int still(const StillFlags& flags) {
   const double time = parse_seconds("--at", flags.at);
   const PictureSettings settings = flags.picture.settings();
   settle_method(scene, {}, flags.scene.method, flags.quiet);
-  const std::optional<std::string> note = make_still(scene, time, settings, flags.file);
+  const InterruptWatch interrupts;
+  std::optional<std::string> note;
+  try {
+    note = make_still(scene, time, settings, flags.file, [&] { return interrupts.caught() != 0; });
+  } catch (const Interrupted&) {
+    return report_interrupted(interrupts, "nothing was written");
+  }
   if (flags.json) {
     nlohmann::ordered_json json{{"scene", scene.name}, {"time", time}, {"file", flags.file}};
     if (note) json["note"] = *note;

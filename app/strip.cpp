@@ -6,10 +6,12 @@
 #include <optional>
 #include <string>
 
+#include "base/stop.h"
 #include "command_line.h"
 #include "exit_status.h"
 #include "flags.h"
 #include "frames/still.h"
+#include "interrupted.h"
 #include "planning.h"
 #include "values.h"
 #include "verbs.h"
@@ -33,7 +35,13 @@ int strip(const StripFlags& flags) {
   const std::vector<double> times = strip_times(scene, parse_number("--count", flags.count));
   const PictureSettings settings = flags.picture.settings(strip_panel);
   settle_method(scene, {}, flags.scene.method, flags.quiet);
-  const std::optional<std::string> note = make_strip(scene, times, settings, flags.file);
+  const InterruptWatch interrupts;
+  std::optional<std::string> note;
+  try {
+    note = make_strip(scene, times, settings, flags.file, [&] { return interrupts.caught() != 0; });
+  } catch (const Interrupted&) {
+    return report_interrupted(interrupts, "nothing was written");
+  }
   if (flags.json) {
     nlohmann::ordered_json json{{"scene", scene.name}, {"times", times}, {"file", flags.file}};
     if (note) json["note"] = *note;

@@ -1,7 +1,9 @@
 # Writes, for ctest, the tests of a GoogleTest program: those of a suite together, up to eight to a run, because
 # to start a program of ours (it loads an OpenGL with a compiler of its own) takes longer than most tests do.
-# A run is named after its suite, and numbered where there are more.
+# A run is named after its suite, and numbered where there are more. Suites listed in LONG are labelled "long".
+cmake_policy(VERSION 3.25)
 set(most 8)
+file(STRINGS ${LONG} long_suites REGEX "^${LABEL}[.]")
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE lines COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX REPLACE ";" "" lines "${lines}")
 string(REPLACE "\n" ";" lines "${lines}")
@@ -12,14 +14,21 @@ function(add_run suite number tests)
   if(number GREATER 1)
     string(APPEND name "-${number}")
   endif()
+  set(labels ${LABEL})
+  if("${LABEL}.${suite}" IN_LIST long_suites)
+    list(APPEND labels long)
+    list(REMOVE_ITEM unknown_suites "${LABEL}.${suite}")
+    set(unknown_suites ${unknown_suites} PARENT_SCOPE)
+  endif()
   list(JOIN tests ":" filter)
   set(text
       "${text}add_test([=[${name}]=] [=[${PROGRAM}]=] [=[--gtest_filter=${filter}]=] --gtest_brief=1)
-set_tests_properties([=[${name}]=] PROPERTIES LABELS ${LABEL} TIMEOUT 600
+set_tests_properties([=[${name}]=] PROPERTIES LABELS \"${labels}\" TIMEOUT 600
   ENVIRONMENT \"LSAN_OPTIONS=suppressions=${LEAKS}:print_suppressions=0\")\n"
       PARENT_SCOPE)
 endfunction()
 
+set(unknown_suites ${long_suites})
 set(tests "")
 set(number 1)
 foreach(line IN LISTS lines)
@@ -43,5 +52,8 @@ foreach(line IN LISTS lines)
 endforeach()
 if(tests)
   add_run(${suite} ${number} "${tests}")
+endif()
+if(unknown_suites)
+  message(FATAL_ERROR "${LONG} names what is no suite: ${unknown_suites}")
 endif()
 file(WRITE ${LISTED} "${text}")

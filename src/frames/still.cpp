@@ -35,8 +35,8 @@ void check_times(const Scene& scene, const std::vector<double>& times) {
 }
 
 std::optional<std::string> make_still(const Scene& scene, double time, const PictureSettings& settings,
-                                      const std::filesystem::path& file) {
-  return make_strip(scene, {time}, settings, file);
+                                      const std::filesystem::path& file, const StopTest& stop) {
+  return make_strip(scene, {time}, settings, file, stop);
 }
 
 std::vector<double> strip_times(const Scene& scene, double count) {
@@ -49,7 +49,8 @@ std::vector<double> strip_times(const Scene& scene, double count) {
 }
 
 std::optional<std::string> make_strip(const Scene& scene, const std::vector<double>& times,
-                                      const PictureSettings& settings, const std::filesystem::path& file) {
+                                      const PictureSettings& settings, const std::filesystem::path& file,
+                                      const StopTest& stop) {
   require_colours(scene);
   check_size(settings.render.size);
   check_times(scene, times);
@@ -61,9 +62,11 @@ std::optional<std::string> make_strip(const Scene& scene, const std::vector<doub
   Image sheet = Image::blank(whole, settings.render.transparent ? 4 : 3);
   std::optional<std::string> note;
   for (std::size_t i = 0; i < times.size(); ++i) {
-    const State state = *simulation.at(times[i]);
-    if (!note && !settings.render.transparent) note = ground_note(scene, state);
-    paste(painter.draw(state), i, sheet);
+    const std::optional<State> state = simulation.at(times[i], stop);
+    if (!state) throw Interrupted();
+    if (!note && !settings.render.transparent) note = ground_note(scene, *state);
+    paste(painter.draw(*state), i, sheet);
+    stop_if_told(stop);
   }
   const std::vector<std::uint8_t> png = encode_png(sheet);
   pending.write(std::as_bytes(std::span(png)));

@@ -215,7 +215,7 @@ std::vector<Opinion> opinions_of(const Model& model, const State& start, const s
   const bool rigid = has_rigid_links(model);
   bool one_of_them = false;
   std::vector<Opinion> opinions;
-  for (const MethodVariant& curve : variants_of(model, start).curves) {
+  for (const MethodVariant& curve : variants_of(model, start).variants) {
     // Without rigid links the methods that know springs as forces are one method, step by step: one will do.
     const bool springs_are_forces = curve.can.limit == StepLimit::sideways_vibration;
     if (!rigid && springs_are_forces && std::exchange(one_of_them, true)) continue;

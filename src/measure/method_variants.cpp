@@ -80,7 +80,7 @@ MethodVariants variants_of(const Model& model, const State& start, const std::ve
       if (const std::string problem = refusal(model, start, method, curve); !problem.empty())
         result.omissions.push_back(fmt::format("{}: {}", curve.name, problem));
       else
-        result.curves.push_back(std::move(curve));
+        result.variants.push_back(std::move(curve));
     }
   }
   return result;

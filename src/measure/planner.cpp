@@ -105,7 +105,7 @@ Plan make_plan(const Model& model, const State& start, const Truth& truth, doubl
   const std::vector<std::string> methods =
       only.empty() ? std::vector<std::string>{} : std::vector{std::string(only)};
   const Search found = search(model, start, only_kind(truth, kind), kind, safety * wanted,
-                              duration / truth.horizon(), variants_of(model, start, methods).curves, stop);
+                              duration / truth.horizon(), variants_of(model, start, methods).variants, stop);
   if (found.best.error == infinity) return plan_without_truth(truth, wanted);
   const Tried& chosen = found.cheapest ? *found.cheapest : found.best;
 

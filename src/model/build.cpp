@@ -7,6 +7,7 @@
 
 #include "base/nearest.h"
 #include "builder.h"
+#include "model/measures.h"
 
 namespace taut {
 namespace {
@@ -82,10 +83,10 @@ void add_loads(Model& model, const std::vector<LoadSpec>& specs, std::vector<Pro
   }
 }
 
-Wind wind_of(const WindSpec& spec) {
-  return {spec.velocity,  spec.gust,
-          spec.gust_time, static_cast<std::uint32_t>(spec.seed),
-          spec.density,   spec.drag_coefficient};
+Wind wind_of(const WindSpec& spec, const Vec3& up) {
+  return {
+      spec.velocity,         spec.gust, spec.gust_time, static_cast<std::uint32_t>(spec.seed), spec.density,
+      spec.drag_coefficient, up};
 }
 
 // Whether the masses can be built, so that names can be looked up: what is wrong elsewhere does not stand in
@@ -135,7 +136,7 @@ Built build(const Description& description) {
   add_loads(builder.model, description.loads, built.problems);
   add_limits(builder, description, by_name, built.problems);
   if (description.wind && description.wind->density * description.wind->drag_coefficient > 0.0)
-    builder.model.wind = wind_of(*description.wind);
+    builder.model.wind = wind_of(*description.wind, up_direction(builder.model));
   if (built.problems.empty()) built.notes = find_notes(description, builder);
   built.model = std::move(builder.model);
   built.start = std::move(builder.start);

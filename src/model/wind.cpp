@@ -30,9 +30,9 @@ Vec3 wind_at(const Wind& wind, double time) {
   const std::uint64_t seed = 4U * static_cast<std::uint64_t>(wind.seed);
   // Slow gusts and, half as strong, ones three times as fast; the direction wavers a third as much.
   const double along = (noise(at, seed) + 0.5 * noise(3.0 * at, seed + 1)) / 1.5;
-  const Vec3 across = wind.velocity.cross(Vec3::UnitY());
+  const Vec3 across = wind.velocity.cross(wind.up);
   return wind.velocity * (1.0 + wind.gust * along) + across * (wind.gust / 3.0 * noise(at, seed + 2)) +
-         Vec3::UnitY() * (wind.velocity.norm() * wind.gust / 6.0 * noise(2.0 * at, seed + 3));
+         wind.up * (wind.velocity.norm() * wind.gust / 6.0 * noise(2.0 * at, seed + 3));
 }
 
 }  // namespace taut

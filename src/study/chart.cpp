@@ -112,7 +112,7 @@ Chart measure_chart(const Scene& scene, const ChartRequest& request, const std::
   chart.budget = request.budget;
   chart.machine = this_machine();
   MethodVariants curves = variants_of(scene.model, scene.start, request.methods);
-  chart.curves = std::move(curves.curves);
+  chart.curves = std::move(curves.variants);
   chart.omissions = std::move(curves.omissions);
   CaseStore store(store_file, inputs_of(scene, request), request.overwrite);
   chart.truth = wanted_truth(scene, request, stop);

@@ -102,7 +102,7 @@ Truth truth_from_json(const Json& json, const State& start) {
 constexpr double share_worth_having = 0.25;
 
 bool one_method_alone(const Model& model, const State& start) {
-  const std::vector<MethodVariant> curves = variants_of(model, start).curves;
+  const std::vector<MethodVariant> curves = variants_of(model, start).variants;
   return std::ranges::all_of(curves,
                              [&](const MethodVariant& curve) { return curve.method == curves[0].method; });
 }

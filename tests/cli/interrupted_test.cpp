@@ -50,6 +50,26 @@ INSTANTIATE_TEST_SUITE_P(Signals, InterruptedTest,
                          ::testing::Values(std::pair("INT", 130), std::pair("TERM", 143)),
                          [](const auto& test) { return std::string(test.param.first); });
 
+// A still or a strip of a long scene, stopped on the way to its last picture.
+TEST_P(InterruptedTest, LeavesThePictureThatWasThere) {
+  const auto [signal, status] = GetParam();
+  for (const char* verb : {"still", "strip"}) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("small.toml", small_scene());
+    const std::string picture = folder.write("picture.png", "what was there before");
+    const std::string time = verb == std::string("still") ? "--at 29999" : "--count 3";
+    const std::string script =
+        std::string("'" TAUT_PROGRAM "' ") + verb + " '" + scene + "' --set world.duration=30000 " + time +
+        " --size 64x48 -o '" + picture + "' & process=$!; while ! ls -A '" + (folder / "") +
+        "' | grep -q part; do sleep 0.02; done; kill -" + signal + " $process; wait $process";
+    const Ran ran = run_program("/bin/sh", {"-c", script});
+    EXPECT_EQ(ran.status, status) << ran.err;
+    EXPECT_NE(ran.err.find("interrupted"), std::string::npos) << ran.err;
+    EXPECT_EQ(read_file(picture), "what was there before");
+    EXPECT_EQ(folder.entries(), 2U) << "the scene and the picture, and nothing half made";
+  }
+}
+
 TEST(Killed, TheNextRunGoesOnFromTheManifest) {
   const TemporaryFolder folder;
   EXPECT_EQ(interrupted_render(folder, "KILL").status, 137);

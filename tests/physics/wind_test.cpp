@@ -120,5 +120,22 @@ TEST(Gusts, AreAFunctionOfTimeAndSeed) {
   EXPECT_EQ(wind_at(wind, 3.3), wind.velocity);
 }
 
+// A scene that is turned as a whole has its gusts turned, too.
+TEST(Gusts, TurnWithGravity) {
+  Description description;
+  description.sheets = {cloth(2, 2)};
+  description.wind = WindSpec{};
+  description.wind->velocity = {5.0, 0.0, 2.0};
+  description.wind->gust = 0.5;
+  const Built upright = build_valid(description);
+  description.gravity = {0.0, 0.0, -9.81};
+  description.wind->velocity = {5.0, -2.0, 0.0};
+  const Built turned = build_valid(description);
+  for (double t = 0.0; t < 5.0; t += 0.1) {
+    const Vec3 wind = wind_at(*upright.model.wind, t);
+    EXPECT_LT((wind_at(*turned.model.wind, t) - Vec3(wind.x(), -wind.z(), wind.y())).norm(), 1e-12) << t;
+  }
+}
+
 }  // namespace
 }  // namespace taut::test

@@ -33,7 +33,7 @@ TEST(Accuracy, IsReadWithKindAndUnit) {
 class JudgedGrid {
  public:
   JudgedGrid(const Scene& scene, const Truth& truth)
-      : scene_(scene), truth_(truth), curves_(variants_of(scene.model, scene.start).curves) {}
+      : scene_(scene), truth_(truth), curves_(variants_of(scene.model, scene.start).variants) {}
 
   // Whether any point that is predicted to cost less than that is good enough.
   bool any_cheaper_does(double wanted, double work) {
@@ -133,7 +133,7 @@ TEST(Plan, IsNoDearerThanAnyRunThatIsGoodEnough) {
   const Plan plan = plan_scene(scene, {ErrorKind::trajectory, wanted, false}, {}, folder.path());
   const Truth truth = scene_truth(scene, {}, folder.path());
   int good = 0;
-  for (const MethodVariant& curve : variants_of(scene.model, scene.start).curves)
+  for (const MethodVariant& curve : variants_of(scene.model, scene.start).variants)
     for (double rate = 60.0; rate <= 8000.0; rate *= 2.0) {
       const JudgedRun run = judge_run(scene.model, scene.start, truth, settings_at(curve, rate, 1));
       if (run.diverged || *run.errors[ErrorKind::trajectory] > well_within) continue;

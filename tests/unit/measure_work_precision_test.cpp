@@ -78,7 +78,7 @@ TEST(JudgedRun, OrdersOfConvergenceShow) {
                 .errors[ErrorKind::trajectory];
   };
   std::map<std::string, double> orders;
-  for (const MethodVariant& curve : variants_of(built.model, built.start).curves)
+  for (const MethodVariant& curve : variants_of(built.model, built.start).variants)
     orders[curve.name] = std::log2(error(curve, 480.0) / error(curve, 960.0));
   EXPECT_NEAR(orders.at("verlet"), 1.0, 0.2);
   EXPECT_NEAR(orders.at("shake"), 2.0, 0.2);
@@ -89,16 +89,16 @@ TEST(JudgedRun, OrdersOfConvergenceShow) {
 TEST(MethodVariants, SayWhatIsLeftOutAndWhy) {
   const Built built = pendulum();
   const MethodVariants curves = variants_of(built.model, built.start, {"spring-implicit", "rattle"});
-  ASSERT_EQ(curves.curves.size(), 2U);
-  EXPECT_EQ(curves.curves[0].name, "rattle order 2");
-  EXPECT_EQ(curves.curves[1].name, "rattle order 4");
+  ASSERT_EQ(curves.variants.size(), 2U);
+  EXPECT_EQ(curves.variants[0].name, "rattle order 2");
+  EXPECT_EQ(curves.variants[1].name, "rattle order 4");
   EXPECT_NE(std::ranges::find(curves.omissions, "spring-implicit has no rigid links (without stiffness)"),
             curves.omissions.end());
 }
 
 // What a walk does, as text.
 std::vector<std::string> walked(const Built& built, const Truth& truth, double most_seconds) {
-  const std::vector<MethodVariant> curves = variants_of(built.model, built.start).curves;
+  const std::vector<MethodVariant> curves = variants_of(built.model, built.start).variants;
   GridWalk walk(built.model, curves, truth, most_seconds);
   std::vector<std::string> points;
   while (const auto point = walk.next()) {
@@ -135,7 +135,7 @@ TEST(GridWalk, GoesTheSameWayTwiceRunsNoPointTwiceAndStopsAtItsLimit) {
 TEST(GridWalk, GivesUpPassesThatDoNotPay) {
   const Built built = pendulums(40);
   const Truth truth = pendulum_truth(built);
-  const std::vector<MethodVariant> curves = variants_of(built.model, built.start, {"verlet"}).curves;
+  const std::vector<MethodVariant> curves = variants_of(built.model, built.start, {"verlet"}).variants;
   GridWalk walk(built.model, curves, truth, 1e-2);
   std::size_t dear = 0;
   while (const auto point = walk.next()) {

@@ -35,7 +35,7 @@ struct MethodVariant {
 
 /// The variants that a model can be run by, and a sentence for each that it can't.
 struct MethodVariants {
-  std::vector<MethodVariant> curves;
+  std::vector<MethodVariant> variants;
   std::vector<std::string> omissions;
 };
 

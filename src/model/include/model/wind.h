@@ -15,6 +15,7 @@ struct Wind {
   std::uint32_t seed = 1;         ///< which gusts
   double density = 1.2;           ///< kg/m³
   double drag_coefficient = 1.2;  ///< of a triangle that faces the wind
+  Vec3 up = Vec3::UnitY();        ///< unit length: gusts waver level more than they rise
 };
 
 /// The air's velocity at a time (m/s): smooth, and the same for the same seed.
