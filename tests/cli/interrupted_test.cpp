@@ -57,11 +57,12 @@ TEST_P(InterruptedTest, LeavesThePictureThatWasThere) {
     const TemporaryFolder folder;
     const std::string scene = folder.write("small.toml", small_scene());
     const std::string picture = folder.write("picture.png", "what was there before");
-    const std::string time = verb == std::string("still") ? "--at 29999" : "--count 3";
+    const std::string time = verb == std::string("still") ? "--at 3599" : "--count 3";
     const std::string script =
-        std::string("'" TAUT_PROGRAM "' ") + verb + " '" + scene + "' --set world.duration=30000 " + time +
-        " --size 64x48 -o '" + picture + "' & process=$!; while ! ls -A '" + (folder / "") +
-        "' | grep -q part; do sleep 0.02; done; kill -" + signal + " $process; wait $process";
+        std::string("'" TAUT_PROGRAM "' ") + verb + " '" + scene +
+        "' --set world.duration=3600 --set solve.steps_per_second=100000 " + time + " --size 64x48 -o '" +
+        picture + "' & process=$!; for i in $(seq 500); do ls -A '" + (folder / "") +
+        "' | grep -q part && break; sleep 0.02; done; kill -" + signal + " $process; wait $process";
     const Ran ran = run_program("/bin/sh", {"-c", script});
     EXPECT_EQ(ran.status, status) << ran.err;
     EXPECT_NE(ran.err.find("interrupted"), std::string::npos) << ran.err;

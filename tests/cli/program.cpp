@@ -69,4 +69,17 @@ b = "bob"
 )";
 }
 
+std::string scene_with_a_jumping_pin() {
+  return small_scene() + R"(
+[[mass]]
+name = "hand"
+position = [0, 1, 0]
+pinned = true
+motion = { path = [[0.5, 0, 1, 0], [0.5001, 9, 1, 0]] }
+[[link]]
+a = "hand"
+b = "bob"
+)";
+}
+
 }  // namespace taut::testing

@@ -29,4 +29,8 @@ Ran taut(const std::vector<std::string>& arguments, const Environment& environme
 /// A scene with one swinging mass that is quick to simulate and to draw: one second long.
 std::string small_scene();
 
+/// The same with a pin that jumps farther than its link is long: rattle can't turn a link by half a turn in a
+/// step, xpbd can.
+std::string scene_with_a_jumping_pin();
+
 }  // namespace taut::testing

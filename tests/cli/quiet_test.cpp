@@ -62,16 +62,7 @@ TEST_F(QuietTest, AMapThatIsNotWhole) {
 }
 
 TEST_F(QuietTest, APanelThatFailsWhileOthersGoOn) {
-  folder_.write("small.toml", small_scene() + R"(
-[[mass]]
-name = "hand"
-position = [0, 1, 0]
-pinned = true
-motion = { path = [[0.5, 0, 1, 0], [0.5001, 9, 1, 0]] }
-[[link]]
-a = "hand"
-b = "bob"
-)");
+  folder_.write("small.toml", scene_with_a_jumping_pin());
   expect_reason(quiet("compare", {"--methods", "rattle,xpbd", "-o", folder_ / "frames", "--size", "64x48"}),
                 0, "the panel of rattle went no further");
 }
