@@ -54,7 +54,6 @@ struct MapJob {
 MapJob job_for(const StabilityFlags& flags, const std::string& scene, const std::string& axes) {
   MapJob job;
   job.scene = load(scene, {flags.sets, std::nullopt});
-  print_notes(job.scene, flags.quiet);
   const Size grid = parse_size("--grid", flags.grid);
   if (grid.width < 2 || grid.height < 2 || grid.width > 400 || grid.height > 400)
     throw BadRequest(fmt::format("--grid must be from 2x2 to 400x400, not {}", flags.grid));
@@ -93,8 +92,10 @@ int carry_out(const MapJob& job, const StabilityFlags& flags, const InterruptWat
 int stability(const StabilityFlags& flags) {
   if (flags.resume && flags.overwrite) throw BadRequest("--resume and --overwrite exclude each other");
   std::vector<MapJob> jobs;
-  for (const std::string& scene : flags.scenes)
+  for (const std::string& scene : flags.scenes) {
     for (const std::string& axes : flags.axes) jobs.push_back(job_for(flags, scene, axes));
+    print_notes(jobs.back().scene, flags.quiet);
+  }
   require_gnuplot();
   const InterruptWatch interrupts;
   int status = exit_done;

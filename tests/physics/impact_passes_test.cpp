@@ -39,6 +39,15 @@ class ImpactPasses : public ::testing::TestWithParam<std::string> {
     EXPECT_GT(observed_order(steps, errors), 0.7) << all;
     EXPECT_LT(errors.back(), at_the_end) << all;
   }
+
+  // The same against ImpactReference, over a time with impacts of both of its scenes.
+  void expect_the_event_driven_motion(const Built& built) const {
+    constexpr double duration = 0.28;  // s
+    const State exact = ImpactReference(built.model, built.start, 5e-4).at(duration);
+    expect_convergence(
+        built, duration, {800.0, 3200.0, 12800.0},
+        [&](const State& end) { return position_error(end, exact); }, 2e-3);
+  }
 };
 
 TEST_P(ImpactPasses, APlasticStopConvergesToTheEventDrivenReference) {
@@ -113,21 +122,13 @@ TEST(ImpactReference, IsCertified) {
 TEST_P(ImpactPasses, ALandingChainConvergesToTheEventDrivenReference) {
   const Built built = build_valid(landing_chain());
   if (!find_method(GetParam())->can.ground) GTEST_SKIP() << "no ground";
-  constexpr double duration = 0.28;  // s
-  const State exact = ImpactReference(built.model, built.start, 5e-4).at(duration);
-  expect_convergence(
-      built, duration, {800.0, 3200.0, 12800.0}, [&](const State& end) { return position_error(end, exact); },
-      2e-3);
+  expect_the_event_driven_motion(built);
 }
 
 TEST_P(ImpactPasses, ABallOnAStringConvergesToTheEventDrivenReference) {
   const Built built = build_valid(string_and_ball());
   if (!find_method(GetParam())->can.colliders) GTEST_SKIP() << "no bodies that touch";
-  constexpr double duration = 0.28;  // s
-  const State exact = ImpactReference(built.model, built.start, 5e-4).at(duration);
-  expect_convergence(
-      built, duration, {800.0, 3200.0, 12800.0}, [&](const State& end) { return position_error(end, exact); },
-      2e-3);
+  expect_the_event_driven_motion(built);
 }
 
 // With friction there is no such reference, but a second opinion: the same step with so many passes that

@@ -11,18 +11,18 @@ constexpr double pi = std::numbers::pi;
 
 class LimitMethods : public ::testing::TestWithParam<std::string> {};
 
-constexpr double stopped_for = 0.75;  // s
+constexpr double pendulum_time = 0.75;  // s
 
 TEST(StoppedPendulumReference, IsCertified) {
   StoppedPendulum coarse(1e-3), fine(5e-4);
-  const Vec3 place = fine.hand_at(stopped_for);
+  const Vec3 place = fine.hand_at(pendulum_time);
   EXPECT_GE(fine.events(), 1);
-  EXPECT_LT((coarse.hand_at(stopped_for) - place).norm(), 1e-9);
+  EXPECT_LT((coarse.hand_at(pendulum_time) - place).norm(), 1e-9);
 }
 
 // An impact falls anywhere within a step, so no method is of more than first order across it.
 TEST_P(LimitMethods, DoublePendulumWithAStopConvergesToTheReferenceWithFirstOrder) {
-  const Vec3 exact = StoppedPendulum(5e-4).hand_at(stopped_for);
+  const Vec3 exact = StoppedPendulum(5e-4).hand_at(pendulum_time);
   const Built built = build_valid(stopped_pendulum());
   std::vector<double> steps, errors;
   // The mean over neighbouring step sizes: where in the step the impact falls is as good as random.
@@ -31,7 +31,7 @@ TEST_P(LimitMethods, DoublePendulumWithAStopConvergesToTheReferenceWithFirstOrde
     constexpr int neighbours = 8;
     for (int i = 0; i < neighbours; ++i) {
       const double near = rate + 4.0 * i;
-      sum += (run(built, settings(GetParam(), near, 60.0), stopped_for).position.at(2) - exact).norm();
+      sum += (run(built, settings(GetParam(), near, 60.0), pendulum_time).position.at(2) - exact).norm();
     }
     steps.push_back(1.0 / rate);
     errors.push_back(sum / neighbours);
