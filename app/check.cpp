@@ -46,15 +46,17 @@ Json finding_to_json(const Finding& finding) {
 }
 
 // How far the run is from what is certified to be true, at the latest time where anything is.
-Json error_against_reference(const Scene& scene) {
+Json error_against_reference(const Scene& scene, const StopTest& stop) {
   constexpr int instants = 8;
-  const double accuracy = 1e-6 * total_link_length(scene.model);
+  const double length = total_link_length(scene.model);
+  const double accuracy = 1e-6 * (length > 0.0 ? length : scene_size(scene.model, scene.start));
   std::vector<double> times;
   for (int i = 1; i <= instants; ++i) times.push_back(scene.duration * i / instants);
-  const Reference reference = cached_reference(scene, times, accuracy);
+  const Reference reference = cached_reference(scene, times, accuracy, reference_folder(), 10.0, stop);
   if (!reference.certified()) return {{"refused", reference.refusal}};
   Simulation simulation(scene);
-  const std::optional<State> state = simulation.at(reference.certified_until);
+  const std::optional<State> state = simulation.at(reference.certified_until, stop);
+  if (!state) throw Interrupted();
   return {{"time", reference.certified_until},
           {"position_error", position_error(*state, reference.states.back())},
           {"uncertainty", reference.uncertainty},
@@ -71,7 +73,7 @@ Json spin_to_json(const Scene& scene, const State& end) {
 void check_run(const Scene& scene, const StopTest& stop, Verdict& verdict) {
   Simulation simulation(scene);
   const std::optional<State> end = simulation.at(scene.duration, stop);
-  if (!end) return;
+  if (!end) throw Interrupted();
   verdict.json["steps"] = simulation.steps();
   verdict.json["state_hash"] = fmt::format("{:016x}", state_hash(*end));
   const RunMeasures measures = simulation.measures(*end);
@@ -108,17 +110,22 @@ Verdict check_scene(const std::string& argument, const CheckFlags& flags, const 
   verdict.json = {{"scene", argument}, {"ok", true}};
   try {
     Scene scene = load(argument, flags.changes.overrides());
-    settle_method(scene, {}, flags.changes.method, flags.quiet);
+    const std::optional<Plan> plan = settle_method(scene, {}, flags.changes.method, flags.quiet, stop);
     require_colours(scene);
     print_notes(scene, flags.quiet);
     describe(scene, verdict.json);
+    if (plan) verdict.json["plan"] = plan_to_json(*plan);
     if (flags.resolved) verdict.json["resolved"] = resolved_toml(scene);
     if (flags.explain) {
-      const Explanation explanation = explain(scene);
+      const Explanation explanation = explain(scene, stop);
       verdict.json["explanation"] = explanation_to_json(explanation);
       verdict.explanation = explanation_text(scene, explanation);
+      if (plan) {
+        verdict.json["plan"]["reasons"] = plan->reasons;
+        verdict.explanation += reasons_text(*plan);
+      }
     }
-    if (flags.reference) verdict.json["reference"] = error_against_reference(scene);
+    if (flags.reference) verdict.json["reference"] = error_against_reference(scene, stop);
     if (flags.run)
       check_run(scene, stop, verdict);
     else
@@ -195,9 +202,13 @@ int check(const CheckFlags& flags) {
   int status = exit_done;
   Json verdicts = Json::array();
   for (const std::string& scene : flags.scenes) {
-    const Verdict verdict = check_scene(scene, flags, [&] { return interrupts.caught() != 0; });
-    if (interrupts.caught() != 0)
-      return report_interrupted(interrupts, fmt::format("{} was not checked to its end", scene));
+    Verdict verdict;
+    const int ended =
+        unless_interrupted(interrupts, fmt::format("{} was not checked to its end", scene), [&] {
+          verdict = check_scene(scene, flags, stop_test(interrupts));
+          return exit_done;
+        });
+    if (ended != exit_done) return ended;
     print_verdict(verdict, flags);
     status = std::max(status, verdict.status);
     verdicts.push_back(verdict.json);

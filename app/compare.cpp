@@ -50,7 +50,9 @@ int compare(const CompareFlags& flags) {
   print_notes(scenes.front(), flags.output.quiet);
   const RenderRequest request =
       flags.output.request(fmt::format("out/{}-compared", scenes.front().name), compared_panel);
-  return render_and_report(scenes, request, flags.output);
+  const InterruptWatch interrupts;
+  return unless_interrupted(interrupts, "nothing was written",
+                            [&] { return render_and_report(scenes, request, flags.output, interrupts); });
 }
 
 }  // namespace

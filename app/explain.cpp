@@ -63,4 +63,10 @@ std::string explanation_text(const Scene& scene, const Explanation& explanation)
   return text;
 }
 
+std::string reasons_text(const Plan& plan) {
+  std::string text = "  how that was planned, from what theory and a few short runs say:\n";
+  for (const std::string& reason : plan.reasons) text += "    " + reason + "\n";
+  return text;
+}
+
 }  // namespace taut

@@ -26,7 +26,8 @@ namespace {
 
 struct ExportFlags {
   SceneFlags scene;
-  std::string format = "csv", table = "masses", times, rate = "30", file, accuracy;
+  PlanFlags plan;
+  std::string format = "csv", table = "masses", times, rate = "30", file;
   bool quiet = false;
 };
 
@@ -121,23 +122,25 @@ int export_motion(const ExportFlags& flags) {
   Scene scene = load(flags.scene.scene, flags.scene.overrides());
   print_notes(scene, flags.quiet);
   const std::vector<Instant> wanted = instants(flags, scene);
-  const std::optional<Plan> plan = settle_method(scene, flags.accuracy, flags.scene.method, flags.quiet);
-
   const InterruptWatch interrupts;
-  Simulation simulation(scene);
-  Sink sink(flags.file);
-  sink.write(header(table));
-  for (const Instant& instant : wanted) {
-    const std::optional<State> state = simulation.at(instant.time, [&] { return interrupts.caught() != 0; });
-    if (!state)
-      return report_interrupted(interrupts, flags.file.empty()
-                                                ? fmt::format("the table ends before {} s", instant.time)
-                                                : "no file was written");
-    sink.write(rows(table, scene, simulation.reported(*state), instant.frame));
-  }
-  sink.finish();
-  if (plan && !flags.quiet) print_accuracy(*plan);
-  return exit_done;
+  return unless_interrupted(interrupts, "nothing was written", [&]() -> int {
+    const StopTest stop = stop_test(interrupts);
+    const std::optional<Plan> plan = settle_method(scene, flags.plan, flags.scene.method, flags.quiet, stop);
+    Simulation simulation(scene);
+    Sink sink(flags.file);
+    sink.write(header(table));
+    for (const Instant& instant : wanted) {
+      const std::optional<State> state = simulation.at(instant.time, stop);
+      if (!state)
+        return report_interrupted(interrupts, flags.file.empty()
+                                                  ? fmt::format("the table ends before {} s", instant.time)
+                                                  : "no file was written");
+      sink.write(rows(table, scene, simulation.reported(*state), instant.frame));
+    }
+    sink.finish();
+    if (plan && !flags.quiet) print_accuracy(*plan);
+    return exit_done;
+  });
 }
 
 }  // namespace
@@ -152,7 +155,7 @@ void add_export(CommandLine& program) {
                    "These instants, exactly, such as 0.5,1.0; else those of all frames");
   verb->add_option("--fps", flags->rate, "Frames per second")->capture_default_str();
   verb->add_option("-o,--output", flags->file, "The file; replaced when it exists [stdout]");
-  add_accuracy(*verb, flags->accuracy);
+  flags->plan.add_to(*verb);
   verb->add_flag("--quiet", flags->quiet, "No messages but errors");
   verb->footer("Example:\n  taut export pendulum --format csv --times 0.5,1.0 --table links -o links.csv");
   verb->action([flags] { return export_motion(*flags); });

@@ -101,11 +101,9 @@ RenderRequest OutputFlags::request(const std::string& usual_folder, std::optiona
 }
 
 int render_and_report(std::span<const Scene> scenes, const RenderRequest& request, const OutputFlags& flags,
-                      const std::optional<Plan>& plan) {
-  const InterruptWatch interrupts;
+                      const InterruptWatch& interrupts, const std::optional<Plan>& plan) {
   Progress progress(stderr, progress_style(stderr, flags.quiet), "frames");
-  const RenderOutcome outcome =
-      render_frames(scenes, request, progress, [&] { return interrupts.caught() != 0; });
+  const RenderOutcome outcome = render_frames(scenes, request, progress, stop_test(interrupts));
   if (flags.json) print_json(scenes, request, outcome, plan);
   if (!flags.quiet) print_summary(scenes, request, outcome);
   if (plan && !flags.quiet) print_accuracy(*plan);

@@ -7,7 +7,8 @@
 #include "command_line.h"
 #include "flags.h"
 #include "frames/frames.h"
-#include "measure/planner.h"
+#include "host/signals.h"
+#include "measure/plan.h"
 
 namespace taut {
 
@@ -22,8 +23,9 @@ struct OutputFlags {
   RenderRequest request(const std::string& usual_folder, std::optional<Size> usual = {}) const;
 };
 
-/// Renders a scene, run in one way or in several, says what came of it, and returns the exit status.
+/// Renders a scene, run in one way or in several, until a signal comes, says what came of it, and returns the
+/// exit status.
 int render_and_report(std::span<const Scene> scenes, const RenderRequest& request, const OutputFlags& flags,
-                      const std::optional<Plan>& plan = {});
+                      const InterruptWatch& interrupts, const std::optional<Plan>& plan = {});
 
 }  // namespace taut

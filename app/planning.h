@@ -4,25 +4,34 @@
 #include <optional>
 #include <string>
 
+#include "base/stop.h"
 #include "command_line.h"
-#include "measure/planner.h"
+#include "measure/plan.h"
 #include "scene/scene.h"
 
 namespace taut {
 
-/// Adds the flag --accuracy.
-void add_accuracy(Verb& verb, std::string& accuracy);
+/// How good a run is asked to be.
+struct PlanFlags {
+  std::string accuracy, search = "20s";
 
-/// Where an accuracy is given, or the scene leaves its method open, plans how to run the scene, puts that
-/// into it, and says so on stderr. `method`: what --method says; the plan keeps to it. Throws BadRequest for
-/// a text that is no accuracy.
-std::optional<Plan> settle_method(Scene& scene, const std::string& accuracy, const std::string& method,
-                                  bool quiet);
+  void add_to(Verb& verb);
+};
+
+/// Settles how a scene is run, and puts that into it. Where an accuracy is given, by a search of a stated
+/// time; where the scene leaves its method open, by rule for its `accuracy`; else not at all. Says what was
+/// chosen on stderr. `method`: what --method says; the plan keeps to it. Throws BadRequest for texts that are
+/// no accuracy or no time, and Interrupted.
+std::optional<Plan> settle_method(Scene& scene, const PlanFlags& flags, const std::string& method, bool quiet,
+                                  const StopTest& stop);
 
 /// A plan for machines.
 nlohmann::ordered_json plan_to_json(const Plan& plan);
 
-/// After the run: how accurate it is estimated to be, on stderr.
+/// What a manifest says of a plan.
+std::string plan_text(const Plan& plan);
+
+/// After the run: how accurate it is estimated to be and how much of it that holds for, on stderr.
 void print_accuracy(const Plan& plan);
 
 }  // namespace taut

@@ -3,6 +3,7 @@
 
 #include "command_line.h"
 #include "flags.h"
+#include "interrupted.h"
 #include "output_flags.h"
 #include "planning.h"
 #include "verbs.h"
@@ -13,7 +14,7 @@ namespace {
 struct RenderFlags {
   SceneFlags scene;
   OutputFlags output;
-  std::string accuracy;
+  PlanFlags plan;
 };
 
 int render(const RenderFlags& flags) {
@@ -21,10 +22,13 @@ int render(const RenderFlags& flags) {
   print_notes(scene, flags.output.quiet);
   flags.output.picture.apply_to(scene);
   RenderRequest request = flags.output.request("out/" + scene.name);
-  const std::optional<Plan> plan =
-      settle_method(scene, flags.accuracy, flags.scene.method, flags.output.quiet);
-  if (plan) request.plan = plan->why;
-  return render_and_report({&scene, 1}, request, flags.output, plan);
+  const InterruptWatch interrupts;
+  return unless_interrupted(interrupts, "nothing was written", [&] {
+    const std::optional<Plan> plan =
+        settle_method(scene, flags.plan, flags.scene.method, flags.output.quiet, stop_test(interrupts));
+    if (plan) request.plan = plan_text(*plan);
+    return render_and_report({&scene, 1}, request, flags.output, interrupts, plan);
+  });
 }
 
 }  // namespace
@@ -33,7 +37,7 @@ void add_render(CommandLine& program) {
   Verb* verb = program.add_subcommand("render", "Simulate a scene and make frames and a film of it");
   const auto flags = std::make_shared<RenderFlags>();
   flags->scene.add_to(*verb);
-  add_accuracy(*verb, flags->accuracy);
+  flags->plan.add_to(*verb);
   flags->output.add_to(*verb, "out/<scene>");
   verb->footer(
       "Running the same again goes on where it stopped.\n\n"

@@ -60,10 +60,14 @@ int sag(const SagFlags& flags) {
   const InterruptWatch interrupts;
   Progress progress(stderr, progress_style(stderr, flags.quiet), "rest shapes");
   progress.start(static_cast<int>(passes.size()));
-  const auto study = study_sag(
-      scene, passes, [&](int done) { progress.update(done); }, [&] { return interrupts.caught() != 0; });
+  std::optional<SagStudy> study;
+  const int status = unless_interrupted(interrupts, "nothing was written", [&] {
+    study = study_sag(
+        scene, passes, [&](int done) { progress.update(done); }, stop_test(interrupts));
+    return study ? exit_done : throw Interrupted();
+  });
   progress.finish();
-  if (!study) return report_interrupted(interrupts, "nothing was written");
+  if (status != exit_done) return status;
   write_sag_files(scene, *study, settings, folder);
   if (flags.json) fmt::print("{}", sag_json(scene, *study));
   if (!flags.quiet)

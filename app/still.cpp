@@ -33,14 +33,14 @@ int still(const StillFlags& flags) {
   flags.picture.apply_to(scene);
   const double time = parse_seconds("--at", flags.at);
   const PictureSettings settings = flags.picture.settings();
-  settle_method(scene, {}, flags.scene.method, flags.quiet);
-  const InterruptWatch interrupts;
   std::optional<std::string> note;
-  try {
-    note = make_still(scene, time, settings, flags.file, [&] { return interrupts.caught() != 0; });
-  } catch (const Interrupted&) {
-    return report_interrupted(interrupts, "nothing was written");
-  }
+  const InterruptWatch interrupts;
+  const int status = unless_interrupted(interrupts, "nothing was written", [&] {
+    settle_method(scene, {}, flags.scene.method, flags.quiet, stop_test(interrupts));
+    note = make_still(scene, time, settings, flags.file, stop_test(interrupts));
+    return exit_done;
+  });
+  if (status != exit_done) return status;
   if (flags.json) {
     nlohmann::ordered_json json{{"scene", scene.name}, {"time", time}, {"file", flags.file}};
     if (note) json["note"] = *note;

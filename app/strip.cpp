@@ -34,14 +34,14 @@ int strip(const StripFlags& flags) {
   flags.picture.apply_to(scene);
   const std::vector<double> times = strip_times(scene, parse_number("--count", flags.count));
   const PictureSettings settings = flags.picture.settings(strip_panel);
-  settle_method(scene, {}, flags.scene.method, flags.quiet);
-  const InterruptWatch interrupts;
   std::optional<std::string> note;
-  try {
-    note = make_strip(scene, times, settings, flags.file, [&] { return interrupts.caught() != 0; });
-  } catch (const Interrupted&) {
-    return report_interrupted(interrupts, "nothing was written");
-  }
+  const InterruptWatch interrupts;
+  const int status = unless_interrupted(interrupts, "nothing was written", [&] {
+    settle_method(scene, {}, flags.scene.method, flags.quiet, stop_test(interrupts));
+    note = make_strip(scene, times, settings, flags.file, stop_test(interrupts));
+    return exit_done;
+  });
+  if (status != exit_done) return status;
   if (flags.json) {
     nlohmann::ordered_json json{{"scene", scene.name}, {"times", times}, {"file", flags.file}};
     if (note) json["note"] = *note;

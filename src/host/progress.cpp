@@ -49,10 +49,19 @@ void Progress::update(int done) {
   if (style_ == ProgressStyle::none) return;
   done_ = done;
   const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
+  if (done_ >= total_ || due(elapsed)) show(elapsed);
+}
+
+void Progress::show_spent(double seconds) {
+  if (style_ == ProgressStyle::none || !due(seconds)) return;
+  done_ = std::min(static_cast<int>(seconds), total_);
+  shown_at_ = seconds;
+  show(fmt::format("{} {}, at most {} left", done_, what_, duration_text(total_ - done_)));
+}
+
+bool Progress::due(double elapsed) {
   const double pause = style_ == ProgressStyle::lines ? seconds_between_lines : seconds_between_bars;
-  if (done_ < total_ && elapsed - shown_at_ < pause) return;
-  shown_at_ = elapsed;
-  show(elapsed);
+  return elapsed - shown_at_ >= pause;
 }
 
 void Progress::show(double elapsed) {
@@ -61,6 +70,11 @@ void Progress::show(double elapsed) {
   if (speed > 0.0) text += fmt::format(", {:.1f} {}/s", speed, what_);
   if (speed > 0.0 && done_ < total_)
     text += fmt::format(", {} left", duration_text((total_ - done_) / speed));
+  shown_at_ = elapsed;
+  show(text);
+}
+
+void Progress::show(const std::string& text) {
   if (style_ == ProgressStyle::lines) {
     fmt::print(stream_, "{}\n", text);
   } else {

@@ -13,6 +13,7 @@ constexpr double any_step = 80.0;  // ns
 constexpr double dense_round = 0.036;
 // ns a limit and round, and a contact point and step, beside what its links cost.
 constexpr double limit_round = 70.0, contact_step = 100.0;
+constexpr double wind_step = 19.0;  // ns a triangle and step
 
 }  // namespace
 
@@ -32,7 +33,8 @@ double predicted_seconds(const Model& model, std::string_view method, const Step
                  (factors ? price.factor * static_cast<double>(counts.factorisations) * rows * std::sqrt(rows)
                           : 0.0) +
                  (dense ? dense_round * rounds * std::pow(rows + limits, 3.0) : 0.0) +
-                 limit_round * rounds * limits + contact_step * steps * contacts);
+                 limit_round * rounds * limits + contact_step * steps * contacts +
+                 (model.wind ? wind_step * steps * static_cast<double>(model.triangles.size()) : 0.0));
 }
 
 double predicted_seconds(const Model& model, std::string_view method, double steps, std::int64_t passes) {

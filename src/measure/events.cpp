@@ -35,7 +35,8 @@ Model without_events(const Model& model) {
   return calm;
 }
 
-std::optional<Event> first_event(const Model& model, const State& start, double horizon) {
+std::optional<Event> first_event(const Model& model, const State& start, double horizon,
+                                 const StopTest& stop) {
   if (!has_events(model)) return std::nullopt;
   const Model calm = without_events(model);
   const Settings settings =
@@ -43,6 +44,7 @@ std::optional<Event> first_event(const Model& model, const State& start, double 
   Run run(model, start, settings), calm_run(calm, start, settings);
   const double allowed = alike * scene_size(model, start);
   while (run.state().time < horizon) {
+    stop_if_told(stop);
     for (std::int64_t step = 0; step < interval; ++step) {
       run.step();
       calm_run.step();

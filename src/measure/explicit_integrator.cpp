@@ -80,7 +80,8 @@ bool ExplicitIntegrator::advance_to(double time, long most_evaluations, const St
     const bool last = time_ + h_ >= time;
     const double step = last ? time - time_ : h_;
     const double error = attempt(step);
-    if (evaluations_ > most_evaluations || step < 1e-12) return false;
+    // What is left of the way may be as short as it likes.
+    if (evaluations_ > most_evaluations || (!last && step < 1e-12)) return false;
     // The usual controller of order 5: aim for 0.9 of the tolerance, change the step by at most five times.
     const double factor = error == infinity ? 0.2 : std::clamp(0.9 * std::pow(error + 1e-12, -0.2), 0.2, 5.0);
     if (error <= 1.0) {

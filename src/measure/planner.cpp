@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ctime>
+#include <map>
+#include <vector>
 
 #include "measure/cost.h"
 #include "measure/method_variants.h"
+#include "measure/rounding.h"
 #include "measure/work_precision.h"
 #include "methods/registry.h"
-#include "model/measures.h"
 
 namespace taut {
 namespace {
@@ -16,25 +19,8 @@ namespace {
 // Predicted seconds: of one short run, and of all together, which may cost twice what the scene's run will,
 // within these bounds.
 constexpr double most_run = 16.0, least_work = 60.0, most_work = 90.0;
-constexpr double safety = 0.9;  // of the target
-
-std::string settings_text(const Settings& settings) {
-  std::string text = fmt::format("{} at {} steps/s", settings.method, settings.steps_per_second());
-  for (const auto& [name, value] : settings.values) {
-    if (name == "passes") text += fmt::format(", {} passes", std::get<double>(value));
-    if (const auto* word = std::get_if<std::string>(&value)) text += fmt::format(", {} {}", name, *word);
-  }
-  return text;
-}
-
-Plan plan_without_truth(const Truth& truth, double wanted) {
-  Plan plan;
-  plan.settings = complete_settings({"xpbd", {{"steps_per_second", 600.0}}});
-  plan.wanted = wanted;
-  plan.why = fmt::format("{}: this is the default, because no error can be judged: {}",
-                         settings_text(plan.settings), truth.remark);
-  return plan;
-}
+constexpr double safety = 0.9;         // of the target
+constexpr double prices_differ = 2.0;  // by how much a method's price may be off before it is measured
 
 // The truth, for one kind of error alone.
 Truth only_kind(Truth truth, ErrorKind kind) {
@@ -49,46 +35,130 @@ struct Tried {
   double work = infinity;  // s, predicted
 };
 
-// What the walk over the grid found.
-struct Search {
-  std::optional<Tried> cheapest;  // of those that are good enough
-  Tried best;                     // the least error
-  std::size_t runs = 0;
+// Processor time that runs took over what was predicted, method by method.
+class MeasuredPrices {
+ public:
+  void add(const std::string& method, double predicted, double measured) {
+    Sums& sums = sums_[method];
+    sums.predicted += predicted;
+    sums.measured += measured;
+  }
+  // Near 1 until there is something to go by.
+  double factor(const std::string& method) const {
+    constexpr double little = 1e-3;  // s
+    const auto found = sums_.find(method);
+    return found == sums_.end() ? 1.0
+                                : (found->second.measured + little) / (found->second.predicted + little);
+  }
+
+ private:
+  struct Sums {
+    double predicted = 0.0, measured = 0.0;
+  };
+  std::map<std::string, Sums, std::less<>> sums_;
 };
 
-// `whole`: the scene's duration over the truth's horizon.
-Search search(const Model& model, const State& start, const Truth& truth, ErrorKind kind, double good_enough,
-              double whole, const std::vector<MethodVariant>& curves, const StopTest& stop) {
-  Search found;
-  GridWalk walk(model, curves, truth, most_run);
-  double work = 0.0;
-  while (const std::optional<GridPoint> point = walk.next()) {
-    Tried tried;
-    tried.settings = settings_at_place(curves[point->curve], point->fineness, point->row);
-    const JudgedRun run = judge_run(model, start, truth, tried.settings, stop);
-    walk.record(run);
-    ++found.runs;
-    tried.work = predicted_seconds(model, tried.settings.method, run.counts,
-                                   truth.horizon() * tried.settings.steps_per_second());
-    // What is smaller can't be told from the truth.
-    tried.error = run.diverged ? infinity : std::max(*run.errors[kind], *truth.smallest[kind]);
-    work += tried.work;
-    if (tried.error <= good_enough && (!found.cheapest || tried.work < found.cheapest->work)) {
-      found.cheapest = tried;
-      walk.forbid_above(tried.work);
-    }
-    const double worth = std::clamp(2.0 * whole * tried.work, least_work, most_work);
-    if (tried.error < found.best.error) found.best = std::move(tried);
-    if (work > worth) break;
+double processor_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+class GridSearch {
+ public:
+  GridSearch(const Model& model, const State& start, const Truth& truth, ErrorKind kind, double wanted,
+             const SearchRules& rules)
+      : model_(model),
+        start_(start),
+        truth_(only_kind(truth, kind)),
+        kind_(kind),
+        wanted_(wanted),
+        rules_(rules) {}
+
+  // `whole`: the scene's duration over the truth's horizon.
+  void run(const Settings& first, double whole);
+  // The cheapest that is good enough, by measured prices; else the best; nothing where there is no error at
+  // all.
+  const Tried* chosen() const;
+  double seconds(const Tried& tried) const { return tried.work * prices_.factor(tried.settings.method); }
+  bool good(const Tried& tried) const { return tried.error <= safety * wanted_; }
+  std::size_t runs() const { return tried_.size(); }
+  bool out_of_time() const { return out_of_time_; }
+
+ private:
+  bool time_is_up() const { return rules_.time_is_up && rules_.time_is_up(); }
+  std::optional<JudgedRun> judged(const Settings& settings);
+
+  const Model& model_;
+  const State& start_;
+  Truth truth_;
+  ErrorKind kind_;
+  double wanted_;
+  const SearchRules& rules_;
+  std::vector<Tried> tried_;
+  MeasuredPrices prices_;
+  bool out_of_time_ = false;
+};
+
+// Nothing where the time is up before the run's end.
+std::optional<JudgedRun> GridSearch::judged(const Settings& settings) {
+  const double begin = processor_seconds();
+  JudgedRun run;
+  try {
+    run = judge_run(model_, start_, truth_, settings,
+                    [&] { return time_is_up() || (rules_.stop && rules_.stop()); });
+  } catch (const Interrupted&) {
+    stop_if_told(rules_.stop);
+    out_of_time_ = true;
+    return std::nullopt;
   }
-  return found;
+  Tried& tried = tried_.emplace_back();
+  tried.settings = settings;
+  tried.work =
+      predicted_seconds(model_, settings.method, run.counts, truth_.horizon() * settings.steps_per_second());
+  prices_.add(settings.method, tried.work, processor_seconds() - begin);
+  // What is smaller can't be told from the truth.
+  if (!run.diverged)
+    tried.error =
+        std::max(*run.errors[kind_], *truth_.smallest[kind_]) + rounding_error(model_, start_, settings);
+  return run;
+}
+
+void GridSearch::run(const Settings& first, double whole) {
+  if (!judged(first)) return;
+  const std::vector<std::string> methods =
+      rules_.only.empty() ? std::vector<std::string>{} : std::vector{std::string(rules_.only)};
+  const std::vector<MethodVariant> curves = variants_of(model_, start_, methods).variants;
+  GridWalk walk(model_, curves, truth_, most_run);
+  double work = 0.0, cheapest = infinity;
+  if (good(tried_.front())) walk.forbid_above(prices_differ * (cheapest = tried_.front().work));
+  while (const std::optional<GridPoint> point = walk.next()) {
+    const std::optional<JudgedRun> run =
+        judged(settings_at_place(curves[point->curve], point->fineness, point->row));
+    if (!run) return;
+    walk.record(*run);
+    const Tried& tried = tried_.back();
+    work += tried.work;
+    if (good(tried) && tried.work < cheapest) {
+      cheapest = tried.work;
+      walk.forbid_above(prices_differ * cheapest);
+    }
+    if (work > std::clamp(2.0 * whole * tried.work, least_work, most_work)) return;
+  }
+}
+
+const Tried* GridSearch::chosen() const {
+  const Tried* best = nullptr;
+  for (const Tried& tried : tried_) {
+    if (tried.error == infinity) continue;
+    const bool better = best == nullptr || (good(tried) ? !good(*best) || seconds(tried) < seconds(*best)
+                                                        : !good(*best) && tried.error < best->error);
+    if (better) best = &tried;
+  }
+  return best;
 }
 
 }  // namespace
-
-double wanted_error(const AccuracyTarget& target, const Model& model, const State& start) {
-  return target.metres ? target.error / scene_size(model, start) : target.error;
-}
 
 ErrorKind judging_kind(const Truth& truth, ErrorKind kind, double wanted) {
   const auto can_judge = [&](ErrorKind tried) { return truth.smallest[tried].value_or(infinity) <= wanted; };
@@ -97,34 +167,45 @@ ErrorKind judging_kind(const Truth& truth, ErrorKind kind, double wanted) {
   return truth.smallest[kind] ? kind : ErrorKind::sag;
 }
 
-Plan make_plan(const Model& model, const State& start, const Truth& truth, double duration,
-               const AccuracyTarget& target, std::string_view only, const StopTest& stop) {
+Plan make_plan(const Model& model, const State& start, const Truth& truth, const AccuracyTarget& target,
+               const Plan& first, const SearchRules& rules) {
   const double wanted = wanted_error(target, model, start);
   const ErrorKind kind = judging_kind(truth, target.kind, wanted);
-  if (!truth.smallest[kind]) return plan_without_truth(truth, wanted);
-  const std::vector<std::string> methods =
-      only.empty() ? std::vector<std::string>{} : std::vector{std::string(only)};
-  const Search found = search(model, start, only_kind(truth, kind), kind, safety * wanted,
-                              duration / truth.horizon(), variants_of(model, start, methods).variants, stop);
-  if (found.best.error == infinity) return plan_without_truth(truth, wanted);
-  const Tried& chosen = found.cheapest ? *found.cheapest : found.best;
-
-  Plan plan;
-  plan.settings = chosen.settings;
-  plan.reached = chosen.error <= wanted;
+  Plan plan = first;
+  plan.searched = true;
+  if (!truth.smallest[kind]) {
+    plan.why += fmt::format("; no search, because nothing can judge it: {}", truth.remark);
+    return plan;
+  }
+  GridSearch search(model, start, truth, kind, wanted, rules);
+  search.run(first.settings, first.duration / truth.horizon());
+  const Tried* chosen = search.chosen();
+  if (chosen == nullptr) {
+    plan.why += search.out_of_time() ? "; the time was up before anything was judged"
+                                     : fmt::format("; none of {} short runs came to an end", search.runs());
+    return plan;
+  }
+  const bool good = search.good(*chosen);
+  plan.settings = chosen->settings;
+  plan.reached = chosen->error <= wanted;
   plan.kind = kind;
   plan.wanted = wanted;
-  plan.estimated_error = chosen.error;
-  plan.looked_until = truth.horizon();
-  plan.predicted_seconds = chosen.work * duration / truth.horizon();
-  plan.runs = found.runs;
+  plan.estimated_error = chosen->error;
+  plan.judged_until = truth.horizon();
+  plan.predicted_seconds = search.seconds(*chosen) * plan.duration / truth.horizon();
+  plan.runs = first.runs + search.runs();
   plan.why = fmt::format(
-      "{}: {} {} error {:.2g} of {:.2g} wanted, over {:.3g} s, where {}; about {:.2g} s of work; the {} of "
-      "{} "
-      "short runs",
-      settings_text(plan.settings), plan.reached ? "estimated" : "not reached, the best has", name_of(kind),
-      chosen.error, wanted, plan.looked_until, truth.how, plan.predicted_seconds,
-      plan.reached ? "cheapest that is good enough" : "best", plan.runs);
+      "{}: {} of {} short runs{}, judged where {}; about {:.2g} s of work", settings_text(plan.settings),
+      good ? "the cheapest that is good enough" : "the best, but not good enough,", search.runs(),
+      search.out_of_time() ? " until the time was up" : "", truth.how, plan.predicted_seconds);
+  const Settings usual = complete_settings({plan.settings.method, {}});
+  const double rate = plan.settings.steps_per_second(), least = usual.steps_per_second();
+  if (!plan.judged_to_the_end() && rate < least) {
+    plan.settings.values["steps_per_second"] = least;
+    plan.predicted_seconds *= least / rate;
+    plan.why += fmt::format("; as the run can't be judged to its end, with no coarser step than usual: {}",
+                            settings_text(plan.settings));
+  }
   return plan;
 }
 

@@ -40,7 +40,7 @@ std::vector<State> run_rattle(const Model& model, const State& start, const std:
       const double steps = std::ceil(span * rate * (1.0 - 1e-12));
       if (steps > 0.0) {
         settings.values["steps_per_second"] = std::max(1.0, steps / span);
-        const RunReport report = simulate(model, state, settings, static_cast<std::int64_t>(steps));
+        const RunReport report = simulate(model, state, settings, static_cast<std::int64_t>(steps), {}, stop);
         if (report.end != RunEnd::none) return {};
         state.time = time;
       }
@@ -200,7 +200,7 @@ Reference calm_reference(const Model& model, const State& start, const std::vect
 
 Reference make_reference(const Model& model, const State& start, const std::vector<double>& times,
                          double accuracy, double most_seconds, const StopTest& stop) {
-  const std::optional<Event> event = first_event(model, start, times.back());
+  const std::optional<Event> event = first_event(model, start, times.back(), stop);
   if (!event) return calm_reference(without_events(model), start, times, accuracy, most_seconds, stop);
   std::vector<double> calm_times = times;
   std::erase_if(calm_times, [&](double time) { return time > time_before(*event); });

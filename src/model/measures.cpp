@@ -49,8 +49,9 @@ Energy energy(const Model& model, const State& state) {
 
 double energy_scale(const Model& model, const State& start) {
   const Energy at_start = energy(model, start);
+  const double length = total_link_length(model);
   return at_start.kinetic + at_start.elastic +
-         free_mass(model) * model.gravity.norm() * total_link_length(model);
+         free_mass(model) * model.gravity.norm() * (length > 0.0 ? length : scene_size(model, start));
 }
 
 double scene_size(const Model& model, const State& start) {
@@ -61,7 +62,11 @@ double scene_size(const Model& model, const State& start) {
     high = high.cwiseMax(start.position.at(i));
   }
   const double diagonal = (high - low).norm();
-  return diagonal > 0.0 ? diagonal : total_link_length(model);
+  if (diagonal > 0.0) return diagonal;
+  if (const double length = total_link_length(model); length > 0.0) return length;
+  double radius = 0.0;
+  for (const double each : model.masses.radius) radius = std::max(radius, each);
+  return radius > 0.0 ? 2.0 * radius : 1.0;
 }
 
 Vec3 linear_momentum(const Model& model, const State& state) {

@@ -3,10 +3,9 @@
 namespace taut {
 
 RunReport simulate(const Model& model, State& state, const Settings& settings, std::int64_t steps,
-                   const RunPolicy& policy) {
+                   const RunPolicy& policy, const StopTest& stop) {
   Run run(model, state, settings, policy);
-  while (run.steps() < steps && run.step()) {
-  }
+  while (run.steps() < steps && run.step()) stop_if_told(stop);
   run.holds_together();
   state = run.state();
   return run.report();

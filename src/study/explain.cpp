@@ -16,11 +16,11 @@ constexpr int rounds = 7;
 constexpr double round_seconds = 0.02;
 
 // Seconds a step takes over the first `steps` of a scene's physics.
-double time_steps(const Scene& scene, const Model& model, std::int64_t steps) {
+double time_steps(const Scene& scene, const Model& model, std::int64_t steps, const StopTest& stop) {
   using Clock = std::chrono::steady_clock;
   Run run(model, scene.start, scene.settings);
   const auto begin = Clock::now();
-  while (run.steps() < steps)
+  for (; run.steps() < steps; stop_if_told(stop))
     if (!run.step()) throw RunFailure(run.failure());
   return std::chrono::duration<double>(Clock::now() - begin).count() / static_cast<double>(steps);
 }
@@ -38,7 +38,7 @@ bool can_do(const Scene& scene, const Model& model) {
 
 }  // namespace
 
-Explanation explain(const Scene& scene) {
+Explanation explain(const Scene& scene, const StopTest& stop) {
   const Simulation able(scene);  // complains where the method can't do what the scene needs
   Explanation explanation;
   const Model& model = scene.model;
@@ -58,11 +58,11 @@ Explanation explain(const Scene& scene) {
     variant_of.push_back(timed ? variants.size() : 0);
     if (timed) variants.push_back({std::move(without)});
   }
-  const double first = time_steps(scene, model, 1);
+  const double first = time_steps(scene, model, 1, stop);
   const auto steps = static_cast<std::int64_t>(std::clamp(round_seconds / first, 1.0, 20000.0));
   for (int round = 0; round < rounds; ++round)
     for (Variant& variant : variants)
-      variant.seconds = std::min(variant.seconds, time_steps(scene, variant.model, steps));
+      variant.seconds = std::min(variant.seconds, time_steps(scene, variant.model, steps, stop));
   explanation.step_seconds = variants.front().seconds;
   for (std::size_t i = 0; i < variant_of.size(); ++i)
     if (variant_of[i] > 0)

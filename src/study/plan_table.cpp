@@ -12,6 +12,8 @@
 namespace taut {
 namespace {
 
+constexpr double search_seconds = 20.0;  // as --accuracy has it
+
 std::optional<double> cheapest(const Scene& scene, const Chart& chart, ErrorKind kind, double wanted) {
   std::optional<double> least;
   for (const ChartCase& done : chart.cases) {
@@ -40,7 +42,7 @@ std::vector<PlanVerdict> judge_plans(const Scene& scene, const Chart& chart, con
     PlanVerdict verdict;
     verdict.scene = scene.name;
     verdict.wanted = wanted;
-    verdict.plan = plan_scene(scene, {ErrorKind::trajectory, wanted, false}, {}, reference_folder(), stop);
+    verdict.plan = plan_scene(scene, {{ErrorKind::trajectory, wanted, false}, {}, search_seconds, stop});
     verdict.kind = judging_kind(chart.truth, ErrorKind::trajectory, wanted);
     verdict.until = chart.truth.horizon();
     verdict.smallest = chart.truth.smallest[verdict.kind].value_or(infinity);

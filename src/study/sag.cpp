@@ -21,12 +21,15 @@ SagEntry compare(const Scene& scene, const SagStudy& study, int passes, RestShap
 }
 
 // The text's own scheme at the scene's end: gravity has added speed all the while.
-SagEntry growing_entry(const Scene& scene, const SagStudy& study, int passes) {
+SagEntry growing_entry(const Scene& scene, const SagStudy& study, int passes, const StopTest& stop) {
   Scene kept = scene;
   kept.settings.values["velocities"] = "kept";
   kept.settings.values["passes"] = static_cast<double>(passes);
   RestShape moment;
-  moment.state = *Simulation(kept).at(kept.duration);
+  Simulation simulation(kept);
+  const std::optional<State> end = simulation.at(kept.duration, stop);
+  if (!end) throw Interrupted();
+  moment.state = *end;
   moment.how = "euler, velocities kept";
   SagEntry entry = compare(scene, study, passes, std::move(moment));
   entry.growing = true;
@@ -57,7 +60,7 @@ std::optional<SagStudy> study_sag(const Scene& scene, const std::vector<int>& pa
     if (stop && stop()) return std::nullopt;
     done(static_cast<int>(study.entries.size()));
   }
-  if (euler) study.entries.push_back(growing_entry(scene, study, passes.back()));
+  if (euler) study.entries.push_back(growing_entry(scene, study, passes.back(), stop));
   return study;
 }
 

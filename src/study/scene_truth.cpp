@@ -45,22 +45,27 @@ std::optional<double> nearer_horizon(const std::vector<double>& times, std::size
   return times[reached];
 }
 
+// What errors can be judged down to is a hundred times what a certified motion may be off, and ten times what
+// two opinions differ by (truth.h, agreement.h); so much of what has to be judged is still good enough.
+constexpr double enough = 0.9, certified_share = 0.01, agreed_share = 0.1;
+
 // The reference that reaches furthest into the horizon; then, as far as that reaches, the tightest.
 Reference longest_reference(const Scene& scene, double horizon, const TruthRequest& request,
                             const std::filesystem::path& folder) {
   constexpr double worth = 1.5;
   const double size = scene_size(scene.model, scene.start);
+  const double loosest = request.judged ? enough * certified_share * *request.judged : request.loosest;
   Reference best;
   best.refusal = "nothing was looked at yet";
   for (std::optional<double> until = horizon; until;) {
     const std::vector<double> times = instants_until(*until);
     Reference found =
-        cached_reference(scene, times, request.loosest * size, folder, request.certify_seconds, request.stop);
+        cached_reference(scene, times, loosest * size, folder, request.certify_seconds, request.stop);
     if (!best.certified() || found.certified()) best = std::move(found);
     until = nearer_horizon(times, best.states.size());
     if (until && *until == times.back()) break;
   }
-  if (!best.certified() || scene.model.links.size() > large_scene) return best;
+  if (!best.certified() || request.judged || scene.model.links.size() > large_scene) return best;
   const std::vector<double> times = instants_until(best.certified_until);
   for (const double accuracy : {request.finest, std::sqrt(request.finest * request.loosest)}) {
     Reference tight =
@@ -114,7 +119,9 @@ std::optional<Truth> motion_by_agreement(const Scene& scene, double horizon, dou
   constexpr double little = 0.2;
   // Until the first event more methods have a say.
   if (calm_until < horizon && one_method_alone(scene.model, scene.start)) return std::nullopt;
-  for (const double bound : {1e-4, 1e-3, 1e-2}) {
+  const std::vector<double> bounds =
+      request.judged ? std::vector{enough * agreed_share * *request.judged} : std::vector{1e-4, 1e-3, 1e-2};
+  for (const double bound : bounds) {
     const auto look = [&](const std::vector<double>& times, double most_seconds) {
       return agreed_motion(scene.model, scene.start,
                            opinions_of(scene.model, scene.start, times, most_seconds, request.stop), bound);
@@ -155,7 +162,7 @@ struct Spans {
 // A file of the cache for what is agreed on, by the parts of its name.
 std::filesystem::path agreement_file(const Scene& scene, const TruthRequest& request, const Spans& spans,
                                      const std::string& what, const std::filesystem::path& folder) {
-  const std::array numbers{spans.wanted, spans.calm, request.agree_seconds};
+  const std::array numbers{spans.wanted, spans.calm, request.agree_seconds, request.judged.value_or(0.0)};
   const std::string key =
       Hash().add(physics_toml(scene)).add(build_info()).add(what).add(std::span<const double>(numbers)).hex();
   return folder / (key + ".agreement.json");
@@ -189,7 +196,7 @@ Truth scene_truth(const Scene& scene, const TruthRequest& request, const std::fi
   constexpr double worth = 1.2;
   Spans spans;
   spans.wanted = sixtieths(std::min(request.horizon.value_or(scene.duration), scene.duration));
-  const std::optional<Event> event = first_event(scene.model, scene.start, spans.wanted);
+  const std::optional<Event> event = first_event(scene.model, scene.start, spans.wanted, request.stop);
   spans.calm = event ? std::max(1.0, std::floor(60.0 * time_before(*event))) / 60.0 : spans.wanted;
   const std::string ending = event ? fmt::format("at {:.3g} s {}", event->time, event->what) : "";
   if (!request.motion) return cached_summaries(scene, request, spans, "no motion was asked for", folder);

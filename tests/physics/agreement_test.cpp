@@ -3,6 +3,7 @@
 #include "fixtures.h"
 #include "measure/exact.h"
 #include "measure/planner.h"
+#include "measure/quick_plan.h"
 #include "model/measures.h"
 
 namespace taut::test {
@@ -121,9 +122,14 @@ TEST(Plan, IsNotReachedBelowWhatCanBeJudged) {
                              opinions_of(built.model, built.start, quarters, most_seconds), bound);
   ASSERT_TRUE(truth);
   for (const ErrorKind kind : {ErrorKind::trajectory, ErrorKind::sag}) truth->smallest[kind] = 0.02;
-  const Plan within = make_plan(built.model, built.start, *truth, 1.0, {ErrorKind::trajectory, 0.05, false});
+  const auto searched = [&](double wanted) {
+    const AccuracyTarget target{ErrorKind::trajectory, wanted, false};
+    return make_plan(built.model, built.start, *truth, target,
+                     quick_plan(built.model, built.start, 1.0, target));
+  };
+  const Plan within = searched(0.05);
   EXPECT_TRUE(within.reached) << within.why;
-  const Plan below = make_plan(built.model, built.start, *truth, 1.0, {ErrorKind::trajectory, 0.01, false});
+  const Plan below = searched(0.01);
   EXPECT_FALSE(below.reached) << below.why;
   EXPECT_EQ(below.estimated_error, 0.02);
 }

@@ -92,4 +92,22 @@ double highest_spring_frequency(const Model& model, const State& state) {
   return highest_frequency(gather_springs(model, state), state.position);
 }
 
+// In the coordinates √m x the matrix is M^(−1/2) K M^(−1/2), symmetric, with blocks of 3 × 3. A link adds k/m
+// n nᵀ to the diagonal block of either end, and −k/√(m_a m_b) n nᵀ beside it. In the coordinates x the row of
+// blocks of mass a sums to at most Σ (k/m_a + k/m_a) over its links to free masses, and Σ k/m_a over those to
+// pins.
+double spring_frequency_bound(const Model& model, const State& state) {
+  const Springs springs = gather_springs(model, state);
+  std::vector<double> sum(model.masses.size(), 0.0);
+  const SystemLinks& links = springs.links;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const double share = links.weight_a[i] > 0.0 && links.weight_b[i] > 0.0 ? 2.0 : 1.0;
+    sum[links.a[i]] += share * springs.stiffness[i] * links.weight_a[i];
+    sum[links.b[i]] += share * springs.stiffness[i] * links.weight_b[i];
+  }
+  double largest = 0.0;
+  for (const double value : sum) largest = std::max(largest, value);
+  return std::sqrt(largest);
+}
+
 }  // namespace taut

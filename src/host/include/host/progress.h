@@ -31,12 +31,16 @@ class Progress {
   void start(int total);
   /// How many are done by now.
   void update(int done);
+  /// Where seconds are what is counted: how many are spent by now.
+  void show_spent(double seconds);
   /// Ends the line that a bar stands on; to be called before anything else is printed.
   void finish();
 
  private:
   using Clock = std::chrono::steady_clock;
+  bool due(double elapsed);
   void show(double elapsed);
+  void show(const std::string& text);
   std::string bar() const;
 
   std::FILE* stream_;

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string_view>
 
+#include "base/stop.h"
 #include "model/model.h"
 #include "model/state.h"
 
@@ -19,8 +20,9 @@ struct Event {
 };
 
 /// The first event up to a horizon (s): the scene runs beside itself without events until the two differ.
-/// Nothing where they never do.
-std::optional<Event> first_event(const Model& model, const State& start, double horizon);
+/// Nothing where they never do. Throws Interrupted.
+std::optional<Event> first_event(const Model& model, const State& start, double horizon,
+                                 const StopTest& stop = {});
 
 /// How long a motion is looked at that an event ends (s): a little less, because the time at which something
 /// breaks or is touched depends on method and step.

@@ -26,14 +26,14 @@ struct Energy {
 Energy energy(const Model& model, const State& state);
 
 /// The size that energy errors are measured in (J): kinetic and elastic energy at the start + weight × total
-/// link length.
+/// link length, or where there are no links scene_size().
 double energy_scale(const Model& model, const State& start);
 
 /// Energy that a run has gained from nothing, over the energy scale, when it counts as diverged.
 inline constexpr double divergence = 1e3;
 
-/// The size that errors of place are measured in (m): the diagonal of the box around all masses at the start;
-/// the total link length where that is nothing.
+/// The size that errors of place are measured in (m): the diagonal of the box around all masses at the start.
+/// Where that is nothing: the total link length; without links, the diameter of the mass; of a point, 1 m.
 double scene_size(const Model& model, const State& start);
 
 /// Linear momentum of the free masses (kg m/s).

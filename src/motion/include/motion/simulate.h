@@ -9,9 +9,10 @@
 namespace taut {
 
 /// Makes so many steps from a state, the time after step n being n/steps_per_second later exactly. Ends early
-/// where a step can't be solved; `state` is then the last good one. Throws as Run does.
+/// where a step can't be solved; `state` is then the last good one. Throws as Run does, and
+/// Interrupted.
 RunReport simulate(const Model& model, State& state, const Settings& settings, std::int64_t steps,
-                   const RunPolicy& policy = {});
+                   const RunPolicy& policy = {}, const StopTest& stop = {});
 
 /// One run and what it looked like at some times.
 struct SampledRun {

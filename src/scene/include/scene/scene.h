@@ -16,8 +16,8 @@ namespace taut {
 struct Scene {
   std::string name;  ///< the file's name without folder and ending
   std::string title;
-  double duration = 6.0;        ///< s
-  std::string accuracy = "1%";  ///< used where solve_given is false
+  double duration = 6.0;         ///< s
+  std::string accuracy = "10%";  ///< used where solve_given is false
   bool solve_given = false;  ///< the file has a [solve] with a method, or one was given on the command line
   Settings settings;         ///< complete for its method
   Description description;   ///< as read, defaults filled in

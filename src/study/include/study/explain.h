@@ -24,6 +24,6 @@ struct Explanation {
 /// Times the scene's first steps, and the same steps without each of its parts: the least of several runs,
 /// taken in turns. Throws BadRequest where the method can't do the scene, RunFailure where a step can't be
 /// solved.
-Explanation explain(const Scene& scene);
+Explanation explain(const Scene& scene, const StopTest& stop = {});
 
 }  // namespace taut

@@ -18,6 +18,9 @@ inline constexpr std::size_t large_scene = 3000;
 struct TruthRequest {
   std::optional<double> horizon;  ///< s, at most the scene's duration; absent: that
   bool motion = true;  ///< the whole motion, where there is one to be had; else only sag, energy and strain
+  /// The error that has to be judged, and none smaller; absent: as small as can be. The larger, the further
+  /// the motion is known: past impacts, and into chaos.
+  std::optional<double> judged;
   double loosest = 1e-5;          ///< of the scene's size: a motion is certified at least to this …
   double finest = 1e-8;           ///< … and where that can be done to this
   double certify_seconds = 10.0;  ///< of one run, predicted, where a motion is certified

@@ -1,0 +1,237 @@
+#include "probe_ladder.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/failure.h"
+#include "measure/cost.h"
+#include "measure/plan.h"
+#include "methods/registry.h"
+#include "model/measures.h"
+#include "model/parts.h"
+#include "motion/run.h"
+
+namespace taut {
+namespace {
+
+constexpr double lowest_rate = 60.0, highest_rate = 1e6;  // steps per second
+
+bool knows_springs_as_forces(const Method& method) {
+  return method.can.limit == StepLimit::sideways_vibration || method.can.limit == StepLimit::spring_frequency;
+}
+
+int order_of(const Settings& settings) {
+  if (settings.method != "rattle" && settings.method != "shake") return 1;
+  return settings.values.contains("order") && settings.choice("order") == "4" ? 4 : 2;
+}
+
+// The chart's grid: 60 · 2^n steps a second, at least so many.
+double on_grid(double rate) {
+  return std::clamp(lowest_rate * std::exp2(std::ceil(std::log2(rate / lowest_rate) - 1e-9)), lowest_rate,
+                    highest_rate);
+}
+
+// The step that a target of `wanted` asks for: a share of what the fastest of the scene's motions takes, the
+// larger the higher the order. The shares are fitted to charts (chain-20 and curtain).
+double accurate_step(const TimeScales& scales, double wanted, int order) {
+  const double share = 0.4 * std::pow(std::min(wanted, 0.5), 1.0 / order);
+  return std::min(
+      {share * scales.fall, 5.0 * share * scales.motion, 0.5 * scales.motion, 0.5 * scales.impact});
+}
+
+ProbeCandidate candidate(const Model& model, const Method& method, double passes, const TimeScales& scales,
+                         double wanted) {
+  constexpr double below_rule = 8.0;  // where to begin: rules err to both sides, and coarse runs cost little
+  ProbeCandidate result;
+  result.settings = complete_settings({std::string(method.name), {}});
+  if (find_param(method, "passes") != nullptr) result.settings.values["passes"] = passes;
+  result.order = order_of(result.settings);
+  result.rule_rate = on_grid(1.0 / accurate_step(scales, wanted, result.order));
+  result.first_rate = on_grid(result.rule_rate / below_rule);
+  if (knows_springs_as_forces(method)) {
+    // Beyond the springs' limit the method refuses; beyond that of rigid links it only fails, and the limit
+    // is an estimate.
+    const double springs = on_grid(1.05 / scales.spring);
+    if (has_rigid_links(model)) result.rule_rate = std::max(result.rule_rate, on_grid(1.1 / scales.sideways));
+    result.rule_rate = std::max(result.rule_rate, springs);
+    result.first_rate = std::max(result.first_rate, springs);
+  }
+  return result;
+}
+
+double mean_rigid_strain(const Model& model, const State& state) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    if (!model.links.rigid(i) || state.broken(i)) continue;
+    sum += std::abs(link_distance(model, state.position, i) / model.links.length[i] - 1.0);
+    ++count;
+  }
+  return count > 0 ? sum / static_cast<double>(count) : 0.0;
+}
+
+ProbeSample sample_of(const ProbeScene& scene, const State& state) {
+  ProbeSample sample;
+  sample.position = state.position;
+  const bool place = scene.kind == ErrorKind::trajectory || scene.kind == ErrorKind::sag;
+  if (scene.kind != ErrorKind::trajectory) sample.summary = summary_of(scene.model, state);
+  if (place)
+    sample.length_error =
+        mean_rigid_strain(scene.model, state) * scene.reach / scene_size(scene.model, scene.start);
+  return sample;
+}
+
+// A run's error from its distance d to the one with half the step. The distances to ever finer runs form a
+// geometric series, d (1 + q + q² + …) = d/(1 − q), with q = 2^−p for a method of order p in steps that are
+// short enough. In longer ones q is what the distance before this one says; where there is none yet, more
+// than the order promises.
+double whole_error(double difference, std::optional<double> before, int order) {
+  constexpr double slowest = 0.9, cautious = 1.5;
+  const double promised = std::exp2(-order);
+  if (!before) return cautious * difference / (1.0 - promised);
+  const double seen = *before > 0.0 ? difference / *before : promised;
+  return difference / (1.0 - std::clamp(seen, promised, slowest));
+}
+
+}  // namespace
+
+double distance(const ProbeScene& scene, const ProbeSample& a, const ProbeSample& b) {
+  if (scene.kind == ErrorKind::trajectory) {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < a.position.size(); ++i)
+      largest = std::max(largest, (a.position.at(i) - b.position.at(i)).squaredNorm());
+    return std::sqrt(largest) / scene_size(scene.model, scene.start);
+  }
+  if (scene.kind == ErrorKind::strain && has_rigid_links(scene.model))
+    return std::max(a.summary.strain, b.summary.strain);
+  return *difference(scene.model, scene.start, a.summary, b.summary)[scene.kind];
+}
+
+std::vector<ProbeCandidate> probe_candidates(const Model& model, const TimeScales& scales, double wanted,
+                                             std::string_view only) {
+  // `verlet` is xpbd without stiffness: worth a run as its second opinion where no method solves links
+  // directly.
+  constexpr std::array<std::string_view, 5> worth_trying{"xpbd", "shake", "rattle", "newton", "verlet"};
+  const bool impacts = !model.contacts.empty() || !model.limits.empty();
+  std::vector<ProbeCandidate> candidates;
+  const auto add = [&](std::string_view name) {
+    const Method& method = *find_method(name);
+    if (!capability_problems(model, method).empty()) return;
+    candidates.push_back(candidate(model, method, 1.0, scales, wanted));
+    if (find_param(method, "passes") != nullptr && impacts)
+      candidates.push_back(candidate(model, method, 4.0, scales, wanted));
+  };
+  if (!only.empty()) {
+    complete_settings({std::string(only), {}});  // complains of a name that is none
+    if (const auto problems = capability_problems(model, *find_method(only)); !problems.empty())
+      throw BadRequest(fmt::format("{}", fmt::join(problems, "\n")));
+    add(only);
+  } else {
+    for (const std::string_view name : worth_trying)
+      if (name != "verlet" || !model.contacts.empty()) add(name);
+  }
+  if (candidates.empty())
+    throw BadRequest("no method can do all that this scene needs; see `taut list methods`");
+  return candidates;
+}
+
+Settings ProbeLadder::settings_at(double rate) const {
+  Settings settings = candidate_.settings;
+  settings.values["steps_per_second"] = rate;
+  return settings;
+}
+
+bool ProbeLadder::plans(const Settings& settings) const {
+  return settings_at(settings.steps_per_second()).values == settings.values &&
+         settings.method == candidate_.settings.method;
+}
+
+double ProbeLadder::work_of(const Model& model, double rate, double seconds) const {
+  const auto passes = candidate_.settings.values.contains("passes")
+                          ? static_cast<std::int64_t>(candidate_.settings.number("passes"))
+                          : 2;
+  return predicted_seconds(model, candidate_.settings.method, rate * seconds, passes);
+}
+
+double ProbeLadder::next_work(const ProbeScene& scene) const {
+  return last_ ? 2.0 * last_work_ : work_of(scene.model, rate_, scene.times.back());
+}
+
+void ProbeLadder::climb(const ProbeScene& scene, double most_work, const StopTest& stop) {
+  const double begin = scene.start.time;
+  Probe probe;
+  probe.rate = rate_;
+  ++runs_;
+  bool failed = false;
+  try {
+    Run run(scene.model, scene.start, settings_at(rate_), chart_policy);
+    const auto work = [&] {
+      return predicted_seconds(scene.model, candidate_.settings.method, run.report().counts,
+                               static_cast<double>(run.steps()));
+    };
+    std::int64_t looked_at = 0;
+    const auto enough = [&] {
+      stop_if_told(stop);
+      // Passes that impacts ask for can't be foreseen.
+      return run.steps() >= looked_at + 8 && (looked_at = run.steps(), work() > 1.5 * most_work);
+    };
+    for (const double time : scene.times) {
+      const std::optional<State> state = run.at(begin + time, enough);
+      if (!state) break;
+      probe.samples.push_back(sample_of(scene, run.reported(*state)));
+    }
+    probe.work = last_work_ = work();
+    failed = run.ended();
+    ended_ = !failed && probe.samples.size() < scene.times.size();
+  } catch (const BadRequest&) {
+    failed = true;  // springs too stiff for this step
+    last_work_ = 0.0;
+  }
+  failed_ += failed ? 1 : 0;
+  if (last_ && !failed) {
+    const Probe* before = finest_judged();
+    if (before != nullptr && before->rate * 2.0 != last_->rate) before = nullptr;
+    double largest = 0.0, apart = 0.0;
+    for (std::size_t i = 0; i < std::min(last_->samples.size(), probe.samples.size()); ++i) {
+      const ProbeSample &coarse = last_->samples[i], &fine = probe.samples[i];
+      apart = std::max(apart, distance(scene, coarse, fine));
+      const bool comparable = before != nullptr && i < before->distances.size();
+      const auto earlier = comparable ? std::optional(before->distances[i]) : std::nullopt;
+      largest = std::max({largest, whole_error(apart, earlier, candidate_.order), coarse.length_error});
+      last_->distances.push_back(apart);
+      last_->errors.push_back(largest);
+    }
+    probes_.push_back(*std::move(last_));
+  }
+  last_.reset();
+  if (!failed) last_ = std::move(probe);
+  rate_ *= 2.0;
+  if (rate_ > highest_rate) ended_ = true;
+}
+
+void ProbeLadder::begin_again() {
+  rate_ = candidate_.first_rate;
+  ended_ = false;
+  last_work_ = 0.0;
+  last_.reset();
+  probes_.clear();
+}
+
+std::string ProbeLadder::account() const {
+  std::string text = settings_text(candidate_.settings);
+  text = fmt::format("{}: by rule {} steps/s", text.substr(0, text.find(" at ")), candidate_.rule_rate);
+  if (candidate_.settings.values.contains("passes"))
+    text += fmt::format(" with passes = {}", candidate_.settings.number("passes"));
+  if (runs_ == 0) return text + "; not run, it would cost more than the others";
+  text += fmt::format("; {} short {}", runs_, runs_ == 1 ? "run" : "runs");
+  if (failed_ > 0) text += fmt::format(", {} of them failed", failed_);
+  if (const Probe* last = finest_judged(); last != nullptr && !last->errors.empty())
+    text += fmt::format("; at {} steps/s {:.2g} off the next finer one", last->rate, last->errors.back());
+  return text;
+}
+
+}  // namespace taut
