@@ -88,6 +88,14 @@ class Pipeline {
 
   bool shows_ground() const { return !request_.picture.render.transparent; }
   bool told_to_stop() const { return failure_.any() || (stop_ && stop_()); }
+  template <class Work>
+  void unless_stopped(const Work& work) {
+    try {
+      work();
+    } catch (const Interrupted&) {
+      stopped_ = true;
+    }
+  }
   bool frame_wanted(const Posed& posed) const {
     const auto there = already_there_.find(posed.frame);
     return job_.folder && (there == already_there_.end() || there->second != posed.hash);
@@ -104,8 +112,10 @@ class Pipeline {
   BoundedQueue<Posed> posed_{4};
   BoundedQueue<Painted> to_save_{3}, to_film_{3};
   FirstFailure failure_;
+  const StopTest told_to_stop_ = [this] { return told_to_stop(); };
   FirstFailure step_failure_;  // no reason to throw away the frames before it, so it stops nobody else
   std::atomic<bool> stopped_ = false;
+  std::size_t let_go_ = 0;  // painted, but not saved: at the size of a cinema's screen that takes too long
   RenderOutcome outcome_;
 };
 
@@ -146,7 +156,10 @@ Image Pipeline::picture(const Posed& posed, PanelPainter& painter) const {
 
 void Pipeline::paint(PanelPainter& painter) {
   while (std::optional<Posed> posed = posed_.pop()) {
-    if (failure_.any()) continue;  // what is posed already is let go
+    if (told_to_stop()) {  // what is posed already is let go
+      stopped_ = true;
+      continue;
+    }
     const bool wanted = frame_wanted(*posed);
     if (wanted || job_.make_film) {
       Painted painted{posed->frame, posed->hash, std::make_shared<const Image>(picture(*posed, painter))};
@@ -160,12 +173,19 @@ void Pipeline::paint(PanelPainter& painter) {
 }
 
 void Pipeline::save_frames() {
-  while (const std::optional<Painted> painted = to_save_.pop())
-    job_.folder->write(painted->frame, *painted->image, painted->hash);
+  while (const std::optional<Painted> painted = to_save_.pop()) {
+    if (!told_to_stop()) {
+      job_.folder->write(painted->frame, *painted->image, painted->hash);
+      continue;
+    }
+    stopped_ = true;
+    ++let_go_;
+  }
 }
 
 void Pipeline::shoot_film(Film& film) {
-  while (const std::optional<Painted> painted = to_film_.pop()) film.add(*painted->image);
+  while (const std::optional<Painted> painted = to_film_.pop())
+    unless_stopped([&] { film.add(*painted->image, told_to_stop_); });
 }
 
 RenderOutcome Pipeline::run() {
@@ -197,6 +217,7 @@ RenderOutcome Pipeline::run() {
   saving.join();
   filming.join();
 
+  outcome_.shown -= let_go_;
   progress_.finish();
   finish(film);
   outcome_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -209,11 +230,11 @@ void Pipeline::start_film(std::optional<Film>& film) const {
 }
 
 void Pipeline::finish(std::optional<Film>& film) {
-  outcome_.stopped = stopped_;
   const bool whole = !stopped_ && !failure_.any() && !step_failure_.any();
   if (film && whole) {
     failure_.watch([&] {
-      film->finish();
+      unless_stopped([&] { film->finish(told_to_stop_); });
+      if (stopped_) return;
       job_.film.bytes = std::filesystem::file_size(*request_.film);
       if (job_.folder) job_.folder->add_film(job_.film);
     });
@@ -224,6 +245,7 @@ void Pipeline::finish(std::optional<Film>& film) {
       halvings.push_back(halving_sentence(scenes_[i].model, outcome_.panels[i].measures.report));
     job_.folder->set_halvings(fmt::format("{}", fmt::join(halvings, "\n")));
   }
+  outcome_.stopped = stopped_;
   // Whatever happened, the manifest says which frames there are.
   if (job_.folder) failure_.watch([&] { job_.folder->save(); });
   failure_.rethrow();

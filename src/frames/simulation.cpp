@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/failure.h"
-#include "frames/holding_rate.h"
+#include "frames/failure_advice.h"
 
 namespace taut {
 namespace {
@@ -22,7 +22,7 @@ Simulation::Simulation(const Scene& scene) : scene_(scene), run_(run_of(scene)) 
 
 std::optional<State> Simulation::at(double time, const StopTest& stop) {
   std::optional<State> state = run_.at(time, stop);
-  if (run_.ended()) throw RunFailure(run_.failure() + holding_rate_hint(scene_, run_.state().time));
+  if (run_.ended()) throw RunFailure(run_.failure() + failure_advice(scene_, run_.state(), stop));
   return state;
 }
 

@@ -207,7 +207,7 @@ std::string Run::failure() const {
     return fmt::format(
         "the run with method {} at {} steps/s diverges: at t = {:.6g} s its masses move with {:.3g} times "
         "the "
-        "scene's energy; try more steps_per_second, or another method",
+        "scene's energy",
         settings_.method, steps_per_second_, state_->time,
         energy(model_, *state_).kinetic / energy_at_hand());
   std::string where;
@@ -215,11 +215,9 @@ std::string Run::failure() const {
     where = fmt::format(" at the link {} – {}", model_.masses.name[model_.links.a[link]],
                         model_.masses.name[model_.links.b[link]]);
   const bool halved = policy_.most_halvings > 0 && method_.can.takes_steps_back;
-  return fmt::format(
-      "the step from t = {:.6g} s by {:.3g} s can't be solved with method {}: {}{}{}; try more "
-      "steps_per_second, or another method",
-      state_->time, 1.0 / steps_per_second_, settings_.method, reason(report_.counts.status), where,
-      halved ? ", even after halving it" : "");
+  return fmt::format("the step from t = {:.6g} s by {:.3g} s can't be solved with method {}: {}{}{}",
+                     state_->time, 1.0 / steps_per_second_, settings_.method, reason(report_.counts.status),
+                     where, halved ? ", even after halving it" : "");
 }
 
 State Run::reported(const State& state) const {

@@ -43,8 +43,7 @@ std::string ruin_sentence(const Model& model, const RunMeasures& measures) {
   constexpr double most = 0.1;
   if (measures.report.halved_steps == 0 || model.wind || !(measures.energy_error > most)) return {};
   return fmt::format(
-      "the run is ruined: its energy is {:.3g} of the scale above what it can have come by, and {}; try more "
-      "steps_per_second, or another method",
+      "the run is ruined: its energy is {:.3g} of the scale above what it can have come by, and {}",
       measures.energy_error, halving_sentence(model, measures.report));
 }
 

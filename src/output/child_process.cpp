@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <signal.h>
 #include <spawn.h>
 #include <sys/socket.h>
@@ -20,6 +21,8 @@ extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX want
 
 namespace taut {
 namespace {
+
+constexpr int milliseconds_between_looks = 10;
 
 [[noreturn]] void cannot_start(const std::filesystem::path& program, int error) {
   throw RunFailure(
@@ -76,6 +79,13 @@ void keep_last(int descriptor, std::string& tail) {
     tail.append(buffer.data(), static_cast<std::size_t>(count));
     if (tail.size() > kept) tail.erase(0, tail.size() - kept);
   }
+}
+
+// Without taking note of it: wait_for() still has to.
+bool has_ended(pid_t process) {
+  siginfo_t end{};
+  return ::waitid(P_PID, static_cast<id_t>(process), &end, WEXITED | WNOHANG | WNOWAIT) != 0 ||
+         end.si_pid != 0;
 }
 
 int wait_for(pid_t process) {
@@ -143,18 +153,28 @@ ChildProcess::~ChildProcess() {
   finish();
 }
 
-bool ChildProcess::feed(std::span<const std::byte> bytes) {
+bool ChildProcess::feed(std::span<const std::byte> bytes, const StopTest& stop) {
   while (!bytes.empty()) {
-    const ssize_t sent = ::send(input_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    stop_if_told(stop);
+    const ssize_t sent = ::send(input_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
     if (sent < 0 && errno == EINTR) continue;
+    if (sent < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) {
+      pollfd room{input_, POLLOUT, 0};
+      ::poll(&room, 1, milliseconds_between_looks);
+      continue;
+    }
     if (sent < 0) return false;
     bytes = bytes.subspan(static_cast<std::size_t>(sent));
   }
   return true;
 }
 
-ProcessEnd ChildProcess::finish() {
+ProcessEnd ChildProcess::finish(const StopTest& stop) {
   close_if_open(input_);
+  while (stop && !has_ended(process_)) {
+    stop_if_told(stop);
+    ::poll(nullptr, 0, milliseconds_between_looks);
+  }
   reader_.join();
   close_if_open(complaints_);
   const int status = wait_for(std::exchange(process_, -1));

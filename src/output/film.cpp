@@ -80,12 +80,12 @@ Film::Film(const FilmSettings& settings)
     : file_(checked(settings).file),
       encoder_(encoder_program(), encoder_arguments(settings, file_.temporary_name())) {}
 
-void Film::add(const Image& frame) {
-  if (!encoder_.feed(std::as_bytes(std::span(frame.pixels)))) fail(encoder_.finish());
+void Film::add(const Image& frame, const StopTest& stop) {
+  if (!encoder_.feed(std::as_bytes(std::span(frame.pixels)), stop)) fail(encoder_.finish());
 }
 
-void Film::finish() {
-  const ProcessEnd end = encoder_.finish();
+void Film::finish(const StopTest& stop) {
+  const ProcessEnd end = encoder_.finish(stop);
   if (end.status != 0) fail(end);
   file_.commit();
 }

@@ -310,7 +310,7 @@ TEST(ResolvedToml, FillsInDefaultsAndSaysWhatLeftOutKeysMean) {
                            "gravity = [0.0, -9.81, 0.0]\n"
                            "duration = 6.0\n"
                            "drag = 0.0\n"
-                           "accuracy = \"1%\"\n\n"
+                           "accuracy = \"10%\"\n\n"
                            "[solve]\n"
                            "method = \"xpbd\"\n"
                            "steps_per_second = 600.0\n"

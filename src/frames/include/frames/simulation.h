@@ -17,8 +17,8 @@ class Simulation {
 
   /// The state at a time (s), which must not be earlier than the one asked for before: between two steps
   /// interpolated from the two. Nothing when told to stop on the way. Throws RunFailure, in words, when the
-  /// run ends before; it then says with how many steps per second the method would hold, where that is found
-  /// soon.
+  /// run ends before; it then says with how many steps per second the method was found to hold, or why
+  /// it fails (failure_advice.h).
   std::optional<State> at(double time, const StopTest& stop = {});
 
   const Run& run() const { return run_; }

@@ -55,7 +55,7 @@ class Run {
   bool ended() const { return report_.end != RunEnd::none; }
   const RunReport& report() const { return report_; }
   const Work& work() const { return ledger_.work(); }
-  /// Why the run has ended, as a sentence that names time, step and link and says what to try; empty while it
+  /// Why the run has ended, as a sentence that names time, step and link; empty while it
   /// goes on.
   std::string failure() const;
   /// The energy (J) that the masses' motion is measured by: that of the scene, and what pins, loads and wind

@@ -11,6 +11,8 @@
 #include <thread>
 #include <vector>
 
+#include "base/stop.h"
+
 namespace taut {
 
 /// Where a program is on the PATH; nothing when it is not installed.
@@ -32,10 +34,10 @@ class ChildProcess {
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  /// Feeds all bytes to the program's standard input. False when it no longer reads them.
-  bool feed(std::span<const std::byte> bytes);
-  /// Closes the program's standard input and waits for its end.
-  ProcessEnd finish();
+  /// Feeds all bytes to the program's standard input. False when it no longer reads them. Throws Interrupted.
+  bool feed(std::span<const std::byte> bytes, const StopTest& stop = {});
+  /// Closes the program's standard input and waits for its end. Throws Interrupted.
+  ProcessEnd finish(const StopTest& stop = {});
 
  private:
   pid_t process_ = -1;

@@ -29,10 +29,11 @@ class Film {
   explicit Film(const FilmSettings& settings);
 
   /// Adds the next frame, of the size set. Throws RunFailure with the encoder's last lines when it gave
-  /// up.
-  void add(const Image& frame);
-  /// Waits for the encoder and gives the film its name. Throws RunFailure with the encoder's last lines.
-  void finish();
+  /// up, and Interrupted.
+  void add(const Image& frame, const StopTest& stop = {});
+  /// Waits for the encoder and gives the film its name. Throws RunFailure with the encoder's last lines, and
+  /// Interrupted.
+  void finish(const StopTest& stop = {});
 
  private:
   [[noreturn]] void fail(const ProcessEnd& end) const;
