@@ -30,7 +30,8 @@ using Json = nlohmann::ordered_json;
 struct CheckFlags {
   std::vector<std::string> scenes;
   SceneFlags changes;
-  bool explain = false, run = false, reference = false, json = false, resolved = false, quiet = false;
+  bool explain = false, run = false, reference = false, certify = false, json = false, resolved = false,
+       quiet = false;
 };
 
 // What came of checking one scene.
@@ -39,6 +40,7 @@ struct Verdict {
   std::string message;  ///< for people, about what is wrong; empty when nothing is
   Json json;
   std::string explanation;  ///< for people
+  std::optional<Certificate> certificate;
 };
 
 Json finding_to_json(const Finding& finding) {
@@ -70,8 +72,15 @@ Json spin_to_json(const Scene& scene, const State& end) {
 }
 
 // Simulates the scene to its end and tests what it expects there.
-void check_run(const Scene& scene, const StopTest& stop, Verdict& verdict) {
+void check_run(const Scene& scene, bool certify, const StopTest& stop, Verdict& verdict) {
   Simulation simulation(scene);
+  std::optional<Certifier> certifier;
+  if (certify) {
+    certifier.emplace(scene, stop);
+    certifier->see_until(simulation, scene.duration);
+    verdict.certificate = certifier->finish();
+    verdict.json["certificate"] = certificate_to_json(*verdict.certificate);
+  }
   const std::optional<State> end = simulation.at(scene.duration, stop);
   if (!end) throw Interrupted();
   verdict.json["steps"] = simulation.steps();
@@ -127,7 +136,7 @@ Verdict check_scene(const std::string& argument, const CheckFlags& flags, const 
     }
     if (flags.reference) verdict.json["reference"] = error_against_reference(scene, stop);
     if (flags.run)
-      check_run(scene, stop, verdict);
+      check_run(scene, flags.certify, stop, verdict);
     else
       Simulation{scene};  // complains where the method can't do what the scene needs
   } catch (const BadRequest& problem) {
@@ -189,6 +198,7 @@ void print_verdict(const Verdict& verdict, const CheckFlags& flags) {
   if (json.contains("reference")) print_reference(json["reference"]);
   if (!json.contains("findings")) return;
   print_measures(json["measures"]);
+  if (verdict.certificate) fmt::print("  certificate: {}\n", certificate_text(*verdict.certificate));
   if (const auto halvings = json["halvings"].get<std::string>(); !halvings.empty())
     fmt::print("  {}\n", halvings);
   if (json.contains("spin")) print_spin(json["spin"]);
@@ -198,6 +208,7 @@ void print_verdict(const Verdict& verdict, const CheckFlags& flags) {
 }
 
 int check(const CheckFlags& flags) {
+  if (flags.certify && !flags.run) throw BadRequest("--certify needs a run to certify: --run");
   const InterruptWatch interrupts;
   int status = exit_done;
   Json verdicts = Json::array();
@@ -228,6 +239,7 @@ void add_check(CommandLine& program) {
                  "Say what each scene models, what it leaves out, and what each part costs per step");
   verb->add_flag("--run", flags->run,
                  "Simulate each scene and test its [expect]; status 1 where it does not hold");
+  add_certify(*verb, flags->certify);
   verb->add_flag("--reference", flags->reference,
                  "Also measure the position error against a certified reference (kept in a cache)");
   verb->add_flag("--resolved", flags->resolved, "Print each scene as TOML with every default filled in");

@@ -28,7 +28,7 @@ struct ExportFlags {
   SceneFlags scene;
   PlanFlags plan;
   std::string format = "csv", table = "masses", times, rate = "30", file;
-  bool quiet = false;
+  bool quiet = false, certify = false;
 };
 
 // An instant to be exported, and the number it goes by.
@@ -127,9 +127,12 @@ int export_motion(const ExportFlags& flags) {
     const StopTest stop = stop_test(interrupts);
     const std::optional<Plan> plan = settle_method(scene, flags.plan, flags.scene.method, flags.quiet, stop);
     Simulation simulation(scene);
+    std::optional<Certifier> certifier;
+    if (flags.certify) certifier.emplace(scene, stop);
     Sink sink(flags.file);
     sink.write(header(table));
     for (const Instant& instant : wanted) {
+      if (certifier) certifier->see_until(simulation, instant.time);
       const std::optional<State> state = simulation.at(instant.time, stop);
       if (!state)
         return report_interrupted(interrupts, flags.file.empty()
@@ -139,6 +142,10 @@ int export_motion(const ExportFlags& flags) {
     }
     sink.finish();
     if (plan && !flags.quiet) print_accuracy(*plan);
+    if (!certifier) return exit_done;
+    certifier->see_until(simulation, scene.duration);
+    const Certificate certificate = certifier->finish();
+    if (!flags.quiet) print_certificate(certificate);
     return exit_done;
   });
 }
@@ -156,6 +163,7 @@ void add_export(CommandLine& program) {
   verb->add_option("--fps", flags->rate, "Frames per second")->capture_default_str();
   verb->add_option("-o,--output", flags->file, "The file; replaced when it exists [stdout]");
   flags->plan.add_to(*verb);
+  add_certify(*verb, flags->certify);
   verb->add_flag("--quiet", flags->quiet, "No messages but errors");
   verb->footer("Example:\n  taut export pendulum --format csv --times 0.5,1.0 --table links -o links.csv");
   verb->action([flags] { return export_motion(*flags); });

@@ -61,4 +61,18 @@ Json measures_to_json(const RunMeasures& measures, const Scene& scene) {
           {"last_halved_at", measures.report.last_halved_at}};
 }
 
+nlohmann::ordered_json certificate_to_json(const Certificate& certificate) {
+  nlohmann::ordered_json json{{"against", certificate.how},
+                              {"largest_difference", certificate.largest},
+                              {"share_of_size", certificate.largest / certificate.size},
+                              {"at", certificate.at},
+                              {"until", certificate.until},
+                              {"agreed_until", certificate.agreed_until},
+                              {"own_error", certificate.own_error},
+                              {"chaotic_from", nullptr},
+                              {"problem", certificate.problem}};
+  if (certificate.chaotic_from) json["chaotic_from"] = *certificate.chaotic_from;
+  return json;
+}
+
 }  // namespace taut

@@ -24,7 +24,7 @@ Json panel_to_json(const Scene& scene, const PanelOutcome& panel) {
 }
 
 void print_json(std::span<const Scene> scenes, const RenderRequest& request, const RenderOutcome& outcome,
-                const std::optional<Plan>& plan) {
+                const std::optional<Plan>& plan, const std::optional<Certificate>& certificate) {
   Json json{{"scene", scenes.front().name},
             {"method", scenes.front().settings.method},
             {"frames", {{"asked", outcome.asked}, {"there", outcome.shown}, {"kept", outcome.kept}}},
@@ -46,6 +46,7 @@ void print_json(std::span<const Scene> scenes, const RenderRequest& request, con
     json["measures"] = measures_to_json(outcome.panels.front().measures, scenes.front());
   }
   if (plan) json["plan"] = plan_to_json(*plan);
+  if (certificate) json["certificate"] = certificate_to_json(*certificate);
   if (outcome.note) json["note"] = *outcome.note;
   if (request.folder) json["folder"] = request.folder->string();
   if (request.film && !outcome.stopped) json["film"] = request.film->string();
@@ -103,10 +104,22 @@ RenderRequest OutputFlags::request(const std::string& usual_folder, std::optiona
 int render_and_report(std::span<const Scene> scenes, const RenderRequest& request, const OutputFlags& flags,
                       const InterruptWatch& interrupts, const std::optional<Plan>& plan) {
   Progress progress(stderr, progress_style(stderr, flags.quiet), "frames");
-  const RenderOutcome outcome = render_frames(scenes, request, progress, stop_test(interrupts));
-  if (flags.json) print_json(scenes, request, outcome, plan);
+  const StopTest stop = stop_test(interrupts);
+  std::optional<Certifier> certifier;
+  RenderRequest watched = request;
+  if (flags.certify) {
+    certifier.emplace(scenes.front(), stop);
+    watched.watch = [&](const State& state) { certifier->see(state); };
+  }
+  const RenderOutcome outcome = render_frames(scenes, watched, progress, stop);
+  std::optional<Certificate> certificate;
+  // Where every frame was there already nothing was simulated.
+  if (flags.certify && !outcome.stopped)
+    certificate = outcome.panels.empty() ? certify(scenes.front(), stop) : certifier->finish();
+  if (flags.json) print_json(scenes, request, outcome, plan, certificate);
   if (!flags.quiet) print_summary(scenes, request, outcome);
   if (plan && !flags.quiet) print_accuracy(*plan);
+  if (certificate && !flags.quiet) print_certificate(*certificate);
   print_failures(scenes, outcome);
   if (!outcome.stopped) return exit_done;
   return report_interrupted(interrupts,

@@ -16,6 +16,7 @@ namespace taut {
 struct OutputFlags {
   PictureFlags picture;
   std::string folder, film, selection, rate = "30";
+  bool certify = false;
   bool no_frames = false, overwrite = false, json = false, quiet = false;
 
   void add_to(Verb& verb, const std::string& usual_folder);

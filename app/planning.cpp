@@ -96,4 +96,15 @@ void print_accuracy(const Plan& plan) {
   fmt::print(stderr, "accuracy: {}\n", accuracy_sentence(plan));
 }
 
+void add_certify(Verb& verb, bool& certify) {
+  verb.add_flag(
+      "--certify", certify,
+      "Run the scene a second time beside it, finer and by another kind of method, and say how far the two "
+      "are apart");
+}
+
+void print_certificate(const Certificate& certificate) {
+  fmt::print(stderr, "certificate: {}\n", certificate_text(certificate));
+}
+
 }  // namespace taut

@@ -6,6 +6,7 @@
 
 #include "base/stop.h"
 #include "command_line.h"
+#include "frames/certifier.h"
 #include "measure/plan.h"
 #include "scene/scene.h"
 
@@ -30,6 +31,12 @@ nlohmann::ordered_json plan_to_json(const Plan& plan);
 
 /// What a manifest says of a plan.
 std::string plan_text(const Plan& plan);
+
+/// Adds the flag --certify.
+void add_certify(Verb& verb, bool& certify);
+
+/// What a second run says of the first, on stderr.
+void print_certificate(const Certificate& certificate);
 
 /// After the run: how accurate it is estimated to be and how much of it that holds for, on stderr.
 void print_accuracy(const Plan& plan);

@@ -38,6 +38,7 @@ void add_render(CommandLine& program) {
   const auto flags = std::make_shared<RenderFlags>();
   flags->scene.add_to(*verb);
   flags->plan.add_to(*verb);
+  add_certify(*verb, flags->output.certify);
   flags->output.add_to(*verb, "out/<scene>");
   verb->footer(
       "Running the same again goes on where it stopped.\n\n"

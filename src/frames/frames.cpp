@@ -127,6 +127,7 @@ void Pipeline::simulate(PanelRuns& runs) {
       stopped_ = true;
       return;
     }
+    if (request_.watch) request_.watch(now->front().state);
     Posed posed{frame, panels_hash(*now), {}, {}};
     for (std::size_t i = 0; i < now->size() && shows_ground() && !outcome_.note; ++i)
       outcome_.note = ground_note(scenes_[i], (*now)[i].state);

@@ -13,16 +13,16 @@ constexpr double watching_rate = 960.0;  // steps per second
 constexpr std::int64_t interval = 4;     // steps between two looks
 constexpr double alike = 1e-9;           // of the scene's size
 
-bool has_events(const Model& model) {
-  return !model.contacts.empty() || !model.limits.empty() || !model.breakable_links.empty();
-}
-
 std::string_view cause(const Model& model, const State& state) {
   if (broken_links(state) > 0) return "the first link breaks";
   return largest_limit_excess(model, state) > 0.0 ? "an angle reaches its limit" : "something is touched";
 }
 
 }  // namespace
+
+bool has_events(const Model& model) {
+  return !model.contacts.empty() || !model.limits.empty() || !model.breakable_links.empty();
+}
 
 Model without_events(const Model& model) {
   Model calm = model;

@@ -9,6 +9,9 @@
 
 namespace taut {
 
+/// Whether there is anything to touch, to reach or to break.
+bool has_events(const Model& model);
+
 /// The scene without ground, solids, touching bodies and limits on angles, and with links that never break:
 /// the same until one of these has an effect, and within reach of more methods and of references.
 Model without_events(const Model& model);
