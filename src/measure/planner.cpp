@@ -203,9 +203,9 @@ Plan make_plan(const Model& model, const State& start, const Truth& truth, const
   if (!plan.judged_to_the_end() && rate < least) {
     plan.settings.values["steps_per_second"] = least;
     plan.predicted_seconds *= least / rate;
-    plan.why += fmt::format("; as the run can't be judged to its end, with no coarser step than usual: {}",
-                            settings_text(plan.settings));
+    plan.why += "; with no coarser step than usual, as the run can't be judged to its end";
   }
+  plan.why = settings_text(plan.settings) + ": " + plan.why;
   return plan;
 }
 

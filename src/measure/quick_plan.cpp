@@ -235,9 +235,9 @@ std::optional<Plan> QuickSearch::extrapolated() const {
     plan.estimated_error = error / std::pow(refinement, order);
     plan.judged_until = scene_.times.back();
     plan.predicted_seconds = finest->work * refinement * duration_ / scene_.times.back();
-    plan.why = fmt::format(
-        "{}: how the errors of {} short runs with {} fall with the step tells that this is needed",
-        settings_text(plan.settings), runs_, methods_tried());
+    plan.why =
+        fmt::format("how the errors of {} short runs with {} fall with the step tells that this is needed",
+                    runs_, methods_tried());
     if (!best || plan.predicted_seconds < best->predicted_seconds) best = std::move(plan);
   }
   return best;
@@ -277,8 +277,7 @@ Plan QuickSearch::plan() const {
     plan.judged_until = scene_.times.back();
     plan.predicted_seconds = good->probe->work * duration_ / plan.judged_until;
     plan.why =
-        fmt::format("{}: the cheapest of {} short runs with {} that is good enough{}",
-                    settings_text(plan.settings), runs_, methods_tried(),
+        fmt::format("the cheapest of {} short runs with {} that is good enough{}", runs_, methods_tried(),
                     confirmed(*good) ? "" : ", by its own word: no other kind of method could be asked");
   } else if (std::optional<Plan> finer = extrapolated()) {
     plan = *std::move(finer);
@@ -292,15 +291,14 @@ Plan QuickSearch::plan() const {
     plan.estimated_error = errors_of(*best->ladder, *best->probe)[best->good - 1];
     plan.judged_until = scene_.times[best->good - 1];
     plan.predicted_seconds = 2.0 * best->probe->work * duration_ / scene_.times.back();
-    plan.why = fmt::format("{}: of {} short runs with {} the one that keeps longest to what finer ones do",
-                           settings_text(plan.settings), runs_, methods_tried());
+    plan.why = fmt::format("of {} short runs with {} the one that keeps longest to what finer ones do", runs_,
+                           methods_tried());
   } else {
     const ProbeLadder& first = ladders_.front();
     const double rate = std::max(floor_rate(first), first.finest_rate());
     plan = plan_for(first.settings_at(rate));
     plan.predicted_seconds = first.work_of(scene_.model, rate, duration_);
-    plan.why = fmt::format("{}: by rule, because {} short runs with {} agree on nothing",
-                           settings_text(plan.settings), runs_, methods_tried());
+    plan.why = fmt::format("by rule, because {} short runs with {} agree on nothing", runs_, methods_tried());
   }
   plan.reached = plan.estimated_error && *plan.estimated_error <= wanted_;
   if (!plan.judged_to_the_end()) {
@@ -309,11 +307,10 @@ Plan QuickSearch::plan() const {
       if (!ladder.plans(plan.settings) || rate >= least) continue;
       plan.settings = ladder.settings_at(least);
       plan.predicted_seconds *= least / rate;
-      plan.why +=
-          fmt::format("; as the run could not be judged to its end, with no coarser step than usual: {}",
-                      settings_text(plan.settings));
+      plan.why += ", but with no coarser step than usual, as the run could not be judged to its end";
     }
   }
+  plan.why = settings_text(plan.settings) + ": " + plan.why;
   plan.reasons = reasons();
   return plan;
 }

@@ -72,17 +72,22 @@ Plan plan_from_json(const Json& json) {
   return plan;
 }
 
-// Nothing where it is not found in time.
-std::optional<Truth> truth_in_time(const Scene& scene, const PlanSearch& search,
-                                   const std::filesystem::path& folder) {
-  const Deadline deadline(share_for_truth * search.seconds);
+TruthRequest truth_request(const Scene& scene, const PlanSearch& search, StopTest stop) {
   TruthRequest request;
   request.judged = wanted_error(search.target, scene.model, scene.start);
   request.certify_seconds = share_of_certificate * search.seconds;
   request.agree_seconds = share_of_agreement * search.seconds;
-  request.stop = [&] { return deadline.passed() || (search.stop && search.stop()); };
+  request.stop = std::move(stop);
+  return request;
+}
+
+// Nothing where it is not found in time.
+std::optional<Truth> truth_in_time(const Scene& scene, const PlanSearch& search,
+                                   const std::filesystem::path& folder) {
+  const Deadline deadline(share_for_truth * search.seconds);
+  const StopTest stop = [&] { return deadline.passed() || (search.stop && search.stop()); };
   try {
-    return scene_truth(scene, request, folder);
+    return scene_truth(scene, truth_request(scene, search, stop), folder);
   } catch (const Interrupted&) {
     stop_if_told(search.stop);
     return std::nullopt;
@@ -127,6 +132,10 @@ Plan plan_scene(const Scene& scene, const PlanSearch& search, const std::filesys
   return cached(
       folder / (key + ".plan.json"), [&] { return searched_plan(scene, search, folder); }, plan_to_json,
       plan_from_json);
+}
+
+Truth truth_for_plan(const Scene& scene, const PlanSearch& search, const std::filesystem::path& folder) {
+  return scene_truth(scene, truth_request(scene, search, search.stop), folder);
 }
 
 }  // namespace taut

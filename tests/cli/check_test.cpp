@@ -30,6 +30,39 @@ TEST_F(CheckTest, WhatIsExpectedIsTestedOnlyByARun) {
   EXPECT_EQ(taut({"check", good_, "--run"}).status, 0);
 }
 
+TEST_F(CheckTest, ARunIsCertifiedByASecondOne) {
+  const Ran ran = taut({"check", good_, "--run", "--certify"});
+  EXPECT_EQ(ran.status, 0) << ran.err;
+  EXPECT_NE(ran.out.find("certificate: against an integration of the equations at acceleration level"),
+            std::string::npos)
+      << ran.out;
+  const Json certificate =
+      Json::parse(taut({"check", good_, "--run", "--certify", "--json"}).out)[0]["certificate"];
+  EXPECT_GT(certificate["largest_difference"], 0.0);
+  EXPECT_LT(certificate["share_of_size"], 0.1);
+  EXPECT_EQ(certificate["until"], 1.0);
+  EXPECT_TRUE(certificate["chaotic_from"].is_null());
+  const Ran without = taut({"check", good_, "--certify"});
+  EXPECT_EQ(without.status, 2);
+  EXPECT_NE(without.err.find("--run"), std::string::npos) << without.err;
+}
+
+// Without [solve] a scene is planned by rule, and says how far that holds.
+TEST_F(CheckTest, ASceneThatLeavesItsMethodOpenIsPlanned) {
+  const std::string open = folder_.write(
+      "open.toml",
+      "[[chain]]\nname = \"r\"\nfrom = [0, 1, 0]\nto = [1, 1, 0]\nlinks = 5\npinned = [\"first\"]\n");
+  const Ran ran = taut({"check", open, "--explain", "--json"});
+  EXPECT_EQ(ran.status, 0) << ran.err;
+  const Json plan = Json::parse(ran.out)[0]["plan"];
+  EXPECT_EQ(plan["searched"], false);
+  EXPECT_GT(plan["judged_share"], 0.0);
+  EXPECT_LE(plan["judged_share"], 1.0);
+  EXPECT_GT(plan["size"], 0.9);
+  EXPECT_FALSE(plan["reasons"].empty());
+  EXPECT_NE(ran.err.find("of the size"), std::string::npos) << ran.err;
+}
+
 TEST_F(CheckTest, JsonHasAnObjectForEveryScene) {
   const Ran ran = taut({"check", good_, failing_, bad_, "--run", "--json"});
   EXPECT_EQ(ran.status, 2) << "the worst of them";

@@ -131,6 +131,15 @@ TEST_F(ExportTest, NamesAreQuotedWhereTheyNeedBe) {
   }
 }
 
+// The second run looks at the whole motion, however few instants are asked for, and changes none of them.
+TEST_F(ExportTest, ACertificateChangesNoNumber) {
+  const Ran plain = taut({"export", scene_, "--times", "0.25,0.5"}),
+            certified = taut({"export", scene_, "--times", "0.25,0.5", "--certify"});
+  EXPECT_EQ(certified.status, 0) << certified.err;
+  EXPECT_EQ(certified.out, plain.out);
+  EXPECT_NE(certified.err.find("over all of its 1 s"), std::string::npos) << certified.err;
+}
+
 TEST_F(ExportTest, TimesBeyondTheEndAreRefused) {
   const std::string file = (folder_.path() / "table.csv").string();
   const Ran ran = taut({"export", scene_, "--times", "0.5,1.5", "-o", file});

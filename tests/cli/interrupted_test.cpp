@@ -71,6 +71,28 @@ TEST_P(InterruptedTest, LeavesThePictureThatWasThere) {
   }
 }
 
+// A search that would take a minute, and a first plan of many masses: stopped before anything is written.
+TEST_P(InterruptedTest, EndsAPlanToo) {
+  const auto [signal, status] = GetParam();
+  for (const char* verb : {"render", "export", "check --run"}) {
+    const TemporaryFolder folder;
+    const std::string scene =
+        folder.write("chain.toml",
+                     "[world]\nduration = 20\n[[chain]]\nname = \"rope\"\nfrom = [0, 2, 0]\nto = [2, 2, "
+                     "0]\nlinks = 200\npinned = [\"first\"]\n");
+    const bool plans = verb != std::string("check --run");
+    const std::string where =
+        plans ? " --accuracy 0.01% --search 60s -o '" + (folder / "out") + "'" : " --certify";
+    // Frames are there only once the plan is made.
+    const std::string script = std::string("'" TAUT_PROGRAM "' ") + verb + " '" + scene + "'" + where +
+                               " & process=$!; sleep 0.4; kill -" + signal + " $process; wait $process";
+    const Ran ran = run_program("/bin/sh", {"-c", script}, {{"TAUT_CACHE", folder / "cache"}});
+    EXPECT_EQ(ran.status, status) << verb << ran.err;
+    EXPECT_NE(ran.err.find("interrupted"), std::string::npos) << verb << ran.err;
+    EXPECT_FALSE(fs::exists(folder / "out")) << verb;
+  }
+}
+
 TEST(Killed, TheNextRunGoesOnFromTheManifest) {
   const TemporaryFolder folder;
   EXPECT_EQ(interrupted_render(folder, "KILL").status, 137);

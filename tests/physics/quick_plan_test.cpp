@@ -13,6 +13,7 @@
 #include "measure/cost.h"
 #include "measure/work_precision.h"
 #include "scenes_of_the_program.h"
+#include "study/scene_plan.h"
 #include "study/scene_truth.h"
 #include "temporary_folder.h"
 
@@ -36,7 +37,7 @@ double work_of(const Scene& scene, const Truth& truth, const Settings& settings,
 }
 
 // The cheapest point of the charts' grid that is good enough.
-double cheapest(const Scene& scene, const Truth& truth) {
+double cheapest(const Scene& scene, const Truth& truth, double target) {
   const std::vector<MethodVariant> curves = variants_of(scene.model, scene.start).variants;
   GridWalk walk(scene.model, curves, truth, 0.2);
   double least = infinity;
@@ -44,7 +45,7 @@ double cheapest(const Scene& scene, const Truth& truth) {
     const Settings settings = settings_at_place(curves[point->curve], point->fineness, point->row);
     const JudgedRun run = judge_run(scene.model, scene.start, truth, settings);
     walk.record(run);
-    if (run.diverged || !(*run.errors[ErrorKind::trajectory] <= wanted)) continue;
+    if (run.diverged || !(*run.errors[ErrorKind::trajectory] <= target)) continue;
     least = std::min(least, work_of(scene, truth, settings, run));
     walk.forbid_above(least);
   }
@@ -73,7 +74,7 @@ void judge_plan(const std::string& name, const Scene& scene, const std::filesyst
   }
   const JudgedRun run = judge_run(scene.model, scene.start, truth, plan.settings);
   const double error = run.errors[ErrorKind::trajectory].value_or(infinity);
-  const double least = cheapest(scene, truth), work = work_of(scene, truth, plan.settings, run);
+  const double least = cheapest(scene, truth, wanted), work = work_of(scene, truth, plan.settings, run);
   const bool promised = plan.judged_until >= truth.horizon() * 0.999 && plan.reached;
   ++tally.judged;
   tally.met += error <= wanted ? 1 : 0;
@@ -89,20 +90,83 @@ void judge_plan(const std::string& name, const Scene& scene, const std::filesyst
   std::fflush(stdout);
 }
 
+// Those that are drawn, and those of the program.
+std::vector<std::pair<std::string, Scene>> scenes_to_plan(bool all) {
+  std::vector<std::pair<std::string, Scene>> scenes;
+  if (all)
+    for (const std::string& name : scene_names()) scenes.emplace_back(name, scene_called(name));
+  for (const GeneratedScene& drawn : generated_scenes(seed))
+    scenes.emplace_back(drawn.name, parse_scene(drawn.text, drawn.name + ".toml"));
+  return scenes;
+}
+
 TEST(QuickPlans, KeepToATenthOfTheSizeAndCostLittleMoreThanTheCheapest) {
   const testing::TemporaryFolder folder;
   Tally tally;
-  std::vector<std::pair<std::string, Scene>> scenes;
-  for (const std::string& name : scene_names()) scenes.emplace_back(name, scene_called(name));
-  for (const GeneratedScene& drawn : generated_scenes(seed))
-    scenes.emplace_back(drawn.name, parse_scene(drawn.text, drawn.name + ".toml"));
-  for (const auto& [name, scene] : scenes) judge_plan(name, scene, folder.path(), tally);
+  for (const auto& [name, scene] : scenes_to_plan(true)) judge_plan(name, scene, folder.path(), tally);
   EXPECT_GE(tally.judged, 40);
   EXPECT_GE(tally.met, 0.95 * tally.judged);
   EXPECT_EQ(tally.worse_in_silence, 0);
   EXPECT_GE(tally.cheap, 0.95 * tally.compared);
   fmt::print("{} judged, {} met; {} compared, {} cheap\n", tally.judged, tally.met, tally.compared,
              tally.cheap);
+}
+
+// The cheapest point of the charts' grid, where the truth covers the whole run; else infinity.
+double cheapest_of_the_whole(const Scene& scene, const Truth& truth, double target) {
+  if (truth.horizon() < 0.999 * scene.duration) return infinity;
+  return cheapest(scene, truth, target);
+}
+
+struct SearchTally {
+  int to_the_end = 0, met = 0, broken = 0, compared = 0, cheap = 0;
+};
+
+void judge_search(const std::string& name, const Scene& scene, double target, double seconds,
+                  const std::filesystem::path& folder, SearchTally& tally) {
+  const PlanSearch search{{ErrorKind::trajectory, target, false}, {}, seconds, {}};
+  const std::clock_t begin = std::clock();
+  const Plan plan = plan_scene(scene, search, folder);
+  const double spent = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  const Truth truth = truth_for_plan(scene, search, folder);
+  const bool table = std::getenv("TAUT_PLAN_TABLE") != nullptr;
+  const bool judged = truth.smallest[ErrorKind::trajectory].value_or(infinity) <= target;
+  const JudgedRun run = judged ? judge_run(scene.model, scene.start, truth, plan.settings) : JudgedRun{};
+  const double error = run.errors[ErrorKind::trajectory].value_or(infinity);
+  const bool promised =
+      plan.reached && plan.kind == ErrorKind::trajectory && plan.judged_until >= 0.999 * truth.horizon();
+  const bool whole = judged && truth.horizon() >= 0.999 * scene.duration;
+  tally.to_the_end += whole ? 1 : 0;
+  tally.met += whole && error <= target ? 1 : 0;
+  tally.broken += judged && promised && error > target ? 1 : 0;
+  const double least = table && judged ? cheapest_of_the_whole(scene, truth, target) : infinity;
+  const double ratio = work_of(scene, truth, plan.settings, run) / least;
+  tally.compared += least < infinity ? 1 : 0;
+  tally.cheap += least < infinity && ratio <= 2.0 ? 1 : 0;
+  if (!table) return;
+  fmt::print("{:22} {:5} % {:5.1f} s  {:40} promised {:.5f} until {:.2f}  ", name, 100.0 * target, spent,
+             settings_text(plan.settings), plan.estimated_error.value_or(-1.0), plan.judged_until);
+  if (judged)
+    fmt::print("error {:.5f} until {:.2f} of {:.2f}  work {:.2f}{}\n", error, truth.horizon(), scene.duration,
+               ratio, error > target ? (promised ? " BROKEN" : " missed") : "");
+  else
+    fmt::print("can't be judged\n");
+  std::fflush(stdout);
+}
+
+TEST(PlanSearches, MeetWhatCanBeJudgedToTheEnd) {
+  const testing::TemporaryFolder folder;
+  const bool all = std::getenv("TAUT_PLAN_TABLE") != nullptr;
+  const std::vector<double> targets = all ? std::vector{0.1, 0.01, 0.001} : std::vector{0.01};
+  SearchTally tally;
+  for (const auto& [name, scene] : scenes_to_plan(all))
+    for (const double target : targets)
+      judge_search(name, scene, target, all ? 20.0 : 1.0, folder.path(), tally);
+  fmt::print("{} judged to the end, {} met; {} compared, {} at most twice the cheapest\n", tally.to_the_end,
+             tally.met, tally.compared, tally.cheap);
+  EXPECT_GE(tally.to_the_end, 15);
+  EXPECT_GE(tally.met, 0.98 * tally.to_the_end);
+  EXPECT_EQ(tally.broken, 0);
 }
 
 }  // namespace

@@ -26,4 +26,9 @@ struct PlanSearch {
 Plan plan_scene(const Scene& scene, const PlanSearch& search,
                 const std::filesystem::path& folder = reference_folder());
 
+/// What a search for such a plan takes for true where time does not matter: scene_truth(), as far as errors
+/// of the target's size need it. Throws Interrupted.
+Truth truth_for_plan(const Scene& scene, const PlanSearch& search,
+                     const std::filesystem::path& folder = reference_folder());
+
 }  // namespace taut
