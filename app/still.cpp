@@ -34,15 +34,17 @@ int still(const StillFlags& flags) {
   const double time = parse_seconds("--at", flags.at);
   const PictureSettings settings = flags.picture.settings();
   std::optional<std::string> note;
+  std::optional<Plan> plan;
   const InterruptWatch interrupts;
   const int status = unless_interrupted(interrupts, "nothing was written", [&] {
-    settle_method(scene, {}, flags.scene.method, flags.quiet, stop_test(interrupts));
+    plan = settle_method(scene, {}, flags.scene.method, flags.quiet, stop_test(interrupts));
     note = make_still(scene, time, settings, flags.file, stop_test(interrupts));
     return exit_done;
   });
   if (status != exit_done) return status;
   if (flags.json) {
     nlohmann::ordered_json json{{"scene", scene.name}, {"time", time}, {"file", flags.file}};
+    if (plan) json["plan"] = plan_to_json(*plan);
     if (note) json["note"] = *note;
     fmt::print("{}\n", json.dump(2));
   }

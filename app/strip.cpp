@@ -35,15 +35,17 @@ int strip(const StripFlags& flags) {
   const std::vector<double> times = strip_times(scene, parse_number("--count", flags.count));
   const PictureSettings settings = flags.picture.settings(strip_panel);
   std::optional<std::string> note;
+  std::optional<Plan> plan;
   const InterruptWatch interrupts;
   const int status = unless_interrupted(interrupts, "nothing was written", [&] {
-    settle_method(scene, {}, flags.scene.method, flags.quiet, stop_test(interrupts));
+    plan = settle_method(scene, {}, flags.scene.method, flags.quiet, stop_test(interrupts));
     note = make_strip(scene, times, settings, flags.file, stop_test(interrupts));
     return exit_done;
   });
   if (status != exit_done) return status;
   if (flags.json) {
     nlohmann::ordered_json json{{"scene", scene.name}, {"times", times}, {"file", flags.file}};
+    if (plan) json["plan"] = plan_to_json(*plan);
     if (note) json["note"] = *note;
     fmt::print("{}\n", json.dump(2));
   }
