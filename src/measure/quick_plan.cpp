@@ -75,7 +75,11 @@ class QuickSearch {
   std::vector<double> errors_of(const ProbeLadder& ladder, const Probe& probe) const;
   std::vector<Choice> choices() const;
   std::optional<Choice> cheapest_good() const;
+  Plan best_plan() const;
+  Plan cheapest_plan(const Choice& good) const;
   std::optional<Plan> extrapolated() const;
+  Plan longest_plan(const std::vector<Choice>& all) const;
+  Plan plan_by_rule() const;
   Plan plan_for(const Settings& settings) const;
   double floor_rate(const ProbeLadder& ladder) const;
   std::string methods_tried() const;
@@ -268,47 +272,56 @@ std::vector<std::string> QuickSearch::reasons() const {
   return lines;
 }
 
-Plan QuickSearch::plan() const {
-  Plan plan;
+Plan QuickSearch::cheapest_plan(const Choice& good) const {
+  Plan plan = plan_for(good.ladder->settings_at(good.probe->rate));
+  plan.estimated_error = errors_of(*good.ladder, *good.probe).back();
+  plan.judged_until = scene_.times.back();
+  plan.predicted_seconds = good.probe->work * duration_ / plan.judged_until;
+  plan.why =
+      fmt::format("the cheapest of {} short runs with {} that is good enough{}", runs_, methods_tried(),
+                  confirmed(good) ? "" : ", by its own word: no other kind of method could be asked");
+  return plan;
+}
+
+// By the run that is good for longest, of those the cheapest: with the steps of the finer one that says so.
+Plan QuickSearch::longest_plan(const std::vector<Choice>& all) const {
+  const auto best = std::ranges::max_element(all, [](const Choice& a, const Choice& b) {
+    return a.good != b.good ? a.good < b.good : a.probe->work > b.probe->work;
+  });
+  Plan plan = plan_for(best->ladder->settings_at(2.0 * best->probe->rate));
+  plan.estimated_error = errors_of(*best->ladder, *best->probe)[best->good - 1];
+  plan.judged_until = scene_.times[best->good - 1];
+  plan.predicted_seconds = 2.0 * best->probe->work * duration_ / scene_.times.back();
+  plan.why = fmt::format("of {} short runs with {} the one that keeps longest to what finer ones do", runs_,
+                         methods_tried());
+  return plan;
+}
+
+Plan QuickSearch::plan_by_rule() const {
+  const ProbeLadder& first = ladders_.front();
+  const double rate = std::max(floor_rate(first), first.finest_rate());
+  Plan plan = plan_for(first.settings_at(rate));
+  plan.predicted_seconds = first.work_of(scene_.model, rate, duration_);
+  plan.why = fmt::format("by rule, because {} short runs with {} agree on nothing", runs_, methods_tried());
+  return plan;
+}
+
+Plan QuickSearch::best_plan() const {
+  if (const std::optional<Choice> good = cheapest_good()) return cheapest_plan(*good);
+  if (std::optional<Plan> finer = extrapolated()) return *std::move(finer);
   const std::vector<Choice> all = choices();
-  if (const std::optional<Choice> good = cheapest_good()) {
-    plan = plan_for(good->ladder->settings_at(good->probe->rate));
-    plan.estimated_error = errors_of(*good->ladder, *good->probe).back();
-    plan.judged_until = scene_.times.back();
-    plan.predicted_seconds = good->probe->work * duration_ / plan.judged_until;
-    plan.why =
-        fmt::format("the cheapest of {} short runs with {} that is good enough{}", runs_, methods_tried(),
-                    confirmed(*good) ? "" : ", by its own word: no other kind of method could be asked");
-  } else if (std::optional<Plan> finer = extrapolated()) {
-    plan = *std::move(finer);
-  } else if (!all.empty()) {
-    // The one that is good for longest; of those the cheapest.
-    const auto best = std::ranges::max_element(all, [](const Choice& a, const Choice& b) {
-      return a.good != b.good ? a.good < b.good : a.probe->work > b.probe->work;
-    });
-    // The finer one, then: it does so at least as long.
-    plan = plan_for(best->ladder->settings_at(2.0 * best->probe->rate));
-    plan.estimated_error = errors_of(*best->ladder, *best->probe)[best->good - 1];
-    plan.judged_until = scene_.times[best->good - 1];
-    plan.predicted_seconds = 2.0 * best->probe->work * duration_ / scene_.times.back();
-    plan.why = fmt::format("of {} short runs with {} the one that keeps longest to what finer ones do", runs_,
-                           methods_tried());
-  } else {
-    const ProbeLadder& first = ladders_.front();
-    const double rate = std::max(floor_rate(first), first.finest_rate());
-    plan = plan_for(first.settings_at(rate));
-    plan.predicted_seconds = first.work_of(scene_.model, rate, duration_);
-    plan.why = fmt::format("by rule, because {} short runs with {} agree on nothing", runs_, methods_tried());
-  }
+  return all.empty() ? plan_by_rule() : longest_plan(all);
+}
+
+Plan QuickSearch::plan() const {
+  Plan plan = best_plan();
   plan.reached = plan.estimated_error && *plan.estimated_error <= wanted_;
-  if (!plan.judged_to_the_end()) {
-    for (const ProbeLadder& ladder : ladders_) {
-      const double rate = plan.settings.steps_per_second(), least = floor_rate(ladder);
-      if (!ladder.plans(plan.settings) || rate >= least) continue;
-      plan.settings = ladder.settings_at(least);
-      plan.predicted_seconds *= least / rate;
-      plan.why += ", but with no coarser step than usual, as the run could not be judged to its end";
-    }
+  for (const ProbeLadder& ladder : ladders_) {
+    const double rate = plan.settings.steps_per_second(), least = floor_rate(ladder);
+    if (plan.judged_to_the_end() || !ladder.plans(plan.settings) || rate >= least) continue;
+    plan.settings = ladder.settings_at(least);
+    plan.predicted_seconds *= least / rate;
+    plan.why += ", but with no coarser step than usual, as the run could not be judged to its end";
   }
   plan.why = settings_text(plan.settings) + ": " + plan.why;
   plan.reasons = reasons();
