@@ -17,11 +17,13 @@
 namespace taut {
 namespace {
 
-// Whether halving the step no longer changes anything worth looking at.
-bool settled(const Opinion& opinion, const Model& model, const State& start) {
-  constexpr double bound = 1e-6;  // of the scene's size
-  if (opinion.coarse.empty()) return false;
-  return position_error(opinion.coarse.back(), opinion.fine.back()) <= bound * scene_size(model, start);
+// Whether halving the step no longer changes anything worth looking at: `enough` of the scene's size.
+bool settled(const Opinion& opinion, const Model& model, const State& start, double enough) {
+  if (opinion.coarse.size() < opinion.fine.size()) return false;
+  const double bound = enough * scene_size(model, start);
+  for (std::size_t i = 0; i < opinion.fine.size(); ++i)
+    if (!(position_error(opinion.coarse[i], opinion.fine[i]) <= bound)) return false;
+  return true;
 }
 
 // Passes of an opinion's finer and coarser run. Where something can hit something, what few passes leave of
@@ -37,7 +39,7 @@ Passes passes_for(const Model& model) {
 }
 
 std::optional<Opinion> opinion_of(const Model& model, const State& start, const MethodVariant& curve,
-                                  const std::vector<double>& times, double most_seconds,
+                                  const std::vector<double>& times, double most_seconds, double enough,
                                   const StopTest& stop) {
   Opinion opinion{curve.name, curve.method, curve.relaxes(), 0.0, {}, {}};
   const Passes passes = passes_for(model);
@@ -55,7 +57,7 @@ std::optional<Opinion> opinion_of(const Model& model, const State& start, const 
       opinion.coarse = std::move(opinion.fine);
       opinion.fine = std::move(run.states);
       opinion.rate = rate;
-      if (settled(opinion, model, start)) break;
+      if (settled(opinion, model, start, enough)) break;
     } catch (const BadRequest&) {
       continue;  // springs too stiff for this step
     }
@@ -211,7 +213,7 @@ void set_limit(Truth& truth, ErrorKind kind, double uncertainty) {
 }  // namespace
 
 std::vector<Opinion> opinions_of(const Model& model, const State& start, const std::vector<double>& times,
-                                 double most_seconds, const StopTest& stop) {
+                                 double most_seconds, double enough, const StopTest& stop) {
   const bool rigid = has_rigid_links(model);
   bool one_of_them = false;
   std::vector<Opinion> opinions;
@@ -219,7 +221,7 @@ std::vector<Opinion> opinions_of(const Model& model, const State& start, const s
     // Without rigid links the methods that know springs as forces are one method, step by step: one will do.
     const bool springs_are_forces = curve.can.limit == StepLimit::sideways_vibration;
     if (!rigid && springs_are_forces && std::exchange(one_of_them, true)) continue;
-    if (auto opinion = opinion_of(model, start, curve, times, most_seconds, stop))
+    if (auto opinion = opinion_of(model, start, curve, times, most_seconds, enough, stop))
       opinions.push_back(*std::move(opinion));
   }
   return opinions;

@@ -17,7 +17,7 @@ using Clock = std::chrono::steady_clock;
 
 // Shares of the time: for finding out what is true; what one run may cost that this is made of, of which
 // there are a dozen; and what the short runs by rule may cost, predicted, where no truth was found.
-constexpr double share_for_truth = 0.6, share_of_certificate = 0.1, share_of_agreement = 0.05,
+constexpr double share_for_truth = 0.6, share_of_certificate = 0.08, share_of_agreement = 0.03,
                  share_without_truth = 0.15;
 
 class Deadline {

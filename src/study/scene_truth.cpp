@@ -47,6 +47,7 @@ std::optional<double> nearer_horizon(const std::vector<double>& times, std::size
 
 // What errors can be judged down to is a hundred times what a certified motion may be off, and ten times what
 // two opinions differ by (truth.h, agreement.h); so much of what has to be judged is still good enough.
+constexpr double enough_for_all = 1e-6;  // of the size: a difference that needs no finer look
 constexpr double enough = 0.9, certified_share = 0.01, agreed_share = 0.1;
 
 // The reference that reaches furthest into the horizon; then, as far as that reaches, the tightest.
@@ -117,6 +118,7 @@ bool one_method_alone(const Model& model, const State& start) {
 std::optional<Truth> motion_by_agreement(const Scene& scene, double horizon, double calm_until,
                                          const TruthRequest& request) {
   constexpr double little = 0.2;
+  const double finer = request.judged ? 0.1 : 0.0;  // of the bound, where errors need not be told any finer
   // Until the first event more methods have a say.
   if (calm_until < horizon && one_method_alone(scene.model, scene.start)) return std::nullopt;
   const std::vector<double> bounds =
@@ -124,7 +126,9 @@ std::optional<Truth> motion_by_agreement(const Scene& scene, double horizon, dou
   for (const double bound : bounds) {
     const auto look = [&](const std::vector<double>& times, double most_seconds) {
       return agreed_motion(scene.model, scene.start,
-                           opinions_of(scene.model, scene.start, times, most_seconds, request.stop), bound);
+                           opinions_of(scene.model, scene.start, times, most_seconds,
+                                       std::max(enough_for_all, finer * bound), request.stop),
+                           bound);
     };
     std::vector<double> times = instants_until(horizon);
     for (;;) {
@@ -144,9 +148,9 @@ Truth summaries_by_agreement(const Scene& scene, double horizon, const TruthRequ
                              const std::string& why) {
   const Model calm = without_events(scene.model);
   const std::vector<double> times = instants_until(horizon);
-  return agreed_summaries(calm, scene.start,
-                          opinions_of(calm, scene.start, times, request.agree_seconds, request.stop), times,
-                          why);
+  return agreed_summaries(
+      calm, scene.start,
+      opinions_of(calm, scene.start, times, request.agree_seconds, enough_for_all, request.stop), times, why);
 }
 
 // How far into the horizon the truth was wanted, and how far it goes.

@@ -23,10 +23,11 @@ struct Opinion {
 };
 
 /// The opinions of every method that can do the scene. Each runs with ever finer steps, as far as
-/// `most_seconds` of one run go (as predicted_seconds() has it). Where no link is rigid shake speaks for
-/// rattle, which is then the same. Throws Interrupted.
+/// `most_seconds` of one run go (as predicted_seconds() has it), or until half the step changes less than
+/// `enough` of the scene's size. Where no link is rigid shake speaks for rattle, which is then the same.
+/// Throws Interrupted.
 std::vector<Opinion> opinions_of(const Model& model, const State& start, const std::vector<double>& times,
-                                 double most_seconds, const StopTest& stop = {});
+                                 double most_seconds, double enough = 1e-6, const StopTest& stop = {});
 
 /// The motion on which two methods agree longest, with themselves at half the step and with each other,
 /// within `bound` of the scene's size; nothing where none do at the first time. Where one method alone can do
