@@ -72,6 +72,10 @@ std::string settings_text(const Settings& settings) {
   return text;
 }
 
+bool reaches_the_end(double until, double duration) {
+  return until >= duration - std::min(1.0 / 60.0, 0.02 * duration);
+}
+
 std::string accuracy_sentence(const Plan& plan) {
   if (!plan.estimated_error) return "how far off it will be can't be judged: no two runs agree on the motion";
   const bool place = plan.kind == ErrorKind::trajectory || plan.kind == ErrorKind::sag;

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ctime>
 #include <map>
 #include <vector>
 
+#include "base/processor_time.h"
 #include "measure/cost.h"
 #include "measure/method_variants.h"
 #include "measure/rounding.h"
@@ -57,12 +57,6 @@ class MeasuredPrices {
   };
   std::map<std::string, Sums, std::less<>> sums_;
 };
-
-double processor_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 class GridSearch {
  public:

@@ -167,7 +167,7 @@ double ProbeLadder::next_work(const ProbeScene& scene) const {
   return last_ ? 2.0 * last_work_ : work_of(scene.model, rate_, scene.times.back());
 }
 
-void ProbeLadder::climb(const ProbeScene& scene, double most_work, const StopTest& stop) {
+void ProbeLadder::climb(const ProbeScene& scene, double most_seconds, const StopTest& stop) {
   const double begin = scene.start.time;
   Probe probe;
   probe.rate = rate_;
@@ -183,7 +183,7 @@ void ProbeLadder::climb(const ProbeScene& scene, double most_work, const StopTes
     const auto enough = [&] {
       stop_if_told(stop);
       // Passes that impacts ask for can't be foreseen.
-      return run.steps() >= looked_at + 8 && (looked_at = run.steps(), work() > 1.5 * most_work);
+      return run.steps() >= looked_at + 8 && (looked_at = run.steps(), work() > 1.5 * most_seconds);
     };
     for (const double time : scene.times) {
       const std::optional<State> state = run.at(begin + time, enough);

@@ -69,7 +69,7 @@ class ProbeLadder {
   double work_of(const Model& model, double rate, double seconds) const;
 
   // Makes the next run, with twice the steps of the last one, for at most so many predicted seconds.
-  void climb(const ProbeScene& scene, double most_work, const StopTest& stop);
+  void climb(const ProbeScene& scene, double most_seconds, const StopTest& stop);
   double next_work(const ProbeScene& scene) const;
   // Forgets its runs, and starts where it did at first.
   void begin_again();

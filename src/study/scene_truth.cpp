@@ -48,14 +48,14 @@ std::optional<double> nearer_horizon(const std::vector<double>& times, std::size
 // What errors can be judged down to is a hundred times what a certified motion may be off, and ten times what
 // two opinions differ by (truth.h, agreement.h); so much of what has to be judged is still good enough.
 constexpr double enough_for_all = 1e-6;  // of the size: a difference that needs no finer look
-constexpr double enough = 0.9, certified_share = 0.01, agreed_share = 0.1;
+constexpr double margin = 0.9, certified_share = 0.01, agreed_share = 0.1;
 
 // The reference that reaches furthest into the horizon; then, as far as that reaches, the tightest.
 Reference longest_reference(const Scene& scene, double horizon, const TruthRequest& request,
                             const std::filesystem::path& folder) {
   constexpr double worth = 1.5;
   const double size = scene_size(scene.model, scene.start);
-  const double loosest = request.judged ? enough * certified_share * *request.judged : request.loosest;
+  const double loosest = request.judged ? margin * certified_share * *request.judged : request.loosest;
   Reference best;
   best.refusal = "nothing was looked at yet";
   for (std::optional<double> until = horizon; until;) {
@@ -122,7 +122,7 @@ std::optional<Truth> motion_by_agreement(const Scene& scene, double horizon, dou
   // Until the first event more methods have a say.
   if (calm_until < horizon && one_method_alone(scene.model, scene.start)) return std::nullopt;
   const std::vector<double> bounds =
-      request.judged ? std::vector{enough * agreed_share * *request.judged} : std::vector{1e-4, 1e-3, 1e-2};
+      request.judged ? std::vector{margin * agreed_share * *request.judged} : std::vector{1e-4, 1e-3, 1e-2};
   for (const double bound : bounds) {
     const auto look = [&](const std::vector<double>& times, double most_seconds) {
       return agreed_motion(scene.model, scene.start,

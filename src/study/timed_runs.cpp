@@ -1,24 +1,13 @@
 #include "study/timed_runs.h"
 
-#include <time.h>
-
 #include <chrono>
 
+#include "base/processor_time.h"
 #include "host/pinned_thread.h"
 #include "measure/work_precision.h"
 #include "motion/simulate.h"
 
 namespace taut {
-namespace {
-
-double processor_seconds() {
-  timespec now{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-}  // namespace
-
 RunTimes time_runs(const Model& model, const State& start, const Settings& settings, std::int64_t steps,
                    double enough) {
   using Clock = std::chrono::steady_clock;

@@ -114,7 +114,7 @@ TEST(QuickPlans, KeepToATenthOfTheSizeAndCostLittleMoreThanTheCheapest) {
 
 // The cheapest point of the charts' grid, where the truth covers the whole run; else infinity.
 double cheapest_of_the_whole(const Scene& scene, const Truth& truth, double target) {
-  if (truth.horizon() < 0.999 * scene.duration) return infinity;
+  if (!reaches_the_end(truth.horizon(), scene.duration)) return infinity;
   return cheapest(scene, truth, target);
 }
 
@@ -135,7 +135,7 @@ void judge_search(const std::string& name, const Scene& scene, double target, do
   const double error = run.errors[ErrorKind::trajectory].value_or(infinity);
   const bool promised =
       plan.reached && plan.kind == ErrorKind::trajectory && plan.judged_until >= 0.999 * truth.horizon();
-  const bool whole = judged && truth.horizon() >= 0.999 * scene.duration;
+  const bool whole = judged && reaches_the_end(truth.horizon(), scene.duration);
   tally.to_the_end += whole ? 1 : 0;
   tally.met += whole && error <= target ? 1 : 0;
   tally.broken += judged && promised && error > target ? 1 : 0;

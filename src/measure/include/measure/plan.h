@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -27,6 +28,10 @@ std::optional<AccuracyTarget> parse_accuracy(std::string_view text);
 /// A target's error as Errors has it.
 double wanted_error(const AccuracyTarget& target, const Model& model, const State& start);
 
+/// Whether a time (s) is the end of a run, but for what truths leave out of it: they end on whole sixtieths
+/// of a second.
+bool reaches_the_end(double until, double duration);
+
 /// How a scene is to be run, and what is known of how good that is.
 struct Plan {
   Settings settings;                       ///< complete
@@ -44,8 +49,10 @@ struct Plan {
   std::vector<std::string> reasons;        ///< more of it, a line each
 
   /// How much of the run the estimate holds for, 0 to 1.
-  double judged_share() const { return estimated_error && duration > 0.0 ? judged_until / duration : 0.0; }
-  bool judged_to_the_end() const { return estimated_error && judged_until >= duration * (1.0 - 1e-9); }
+  double judged_share() const {
+    return estimated_error && duration > 0.0 ? std::min(1.0, judged_until / duration) : 0.0;
+  }
+  bool judged_to_the_end() const { return estimated_error && reaches_the_end(judged_until, duration); }
 };
 
 /// Method, step and passes in a few words: "xpbd at 480 steps/s, 1 pass".

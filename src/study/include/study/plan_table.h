@@ -25,7 +25,7 @@ struct PlanVerdict {
   std::optional<double> cheapest_work;
 
   bool judged() const { return wanted >= smallest; }
-  bool judged_to_the_end() const { return judged() && share > 0.999; }
+  bool judged_to_the_end() const { return judged() && reaches_the_end(until, until / share); }
   bool within() const { return error <= wanted; }
 };
 
