@@ -118,7 +118,8 @@ std::vector<ProbeCandidate> probe_candidates(const Model& model, const TimeScale
                                              std::string_view only) {
   // `verlet` is xpbd without stiffness: worth a run as its second opinion where no method solves links
   // directly.
-  constexpr std::array<std::string_view, 5> worth_trying{"xpbd", "shake", "rattle", "newton", "verlet"};
+  constexpr std::array<std::string_view, 6> worth_trying{"xpbd",   "shake",  "rattle",
+                                                         "newton", "verlet", "spring-explicit"};
   const bool impacts = !model.contacts.empty() || !model.limits.empty();
   // To bring a large net's system into order alone takes longer than all runs may.
   const bool large_net = model.links.size() > most_links_of_net && model.links.size() > model.masses.size();

@@ -12,8 +12,9 @@
 namespace taut {
 namespace {
 
-constexpr double within_target = 0.6;   // of the target
-constexpr double most_refinement = 16;  // beyond the finest step that was run
+constexpr double within_target = 0.6;         // of the target
+constexpr double most_refinement = 16.0;      // beyond the finest step that was judged
+constexpr double largest_extrapolated = 0.5;  // error, beyond which nothing can be told from it
 
 // What the probes may cost, predicted (s).
 double most_probing(const Model& model) {
@@ -25,7 +26,8 @@ double most_probing(const Model& model) {
 // by one, or are the same where links are springs.
 bool alike(std::string_view a, std::string_view b) {
   const auto kind = [](std::string_view method) {
-    return method == "verlet" ? "xpbd" : method == "rattle" ? "shake" : method;
+    if (method == "verlet") return std::string_view("xpbd");
+    return method == "rattle" || method == "spring-explicit" ? std::string_view("shake") : method;
   };
   return kind(a) == kind(b);
 }
@@ -224,20 +226,28 @@ double QuickSearch::floor_rate(const ProbeLadder& ladder) const {
   return std::max(usual.steps_per_second(), ladder.candidate().rule_rate);
 }
 
-// The runs tell how errors fall with the step, but none that is fine enough was cheap enough to be made.
+// The runs tell how errors fall with the step, but none that is fine enough was cheap enough to be judged.
+// Where that is the run that judged the finest, its error is known well enough; a finer one, which was never
+// made, is promised no more than what the finest keeps to.
 std::optional<Plan> QuickSearch::extrapolated() const {
   std::optional<Plan> best;
   for (const ProbeLadder& ladder : ladders_) {
     const Probe* finest = ladder.finest_judged();
     if (finest == nullptr || finest->errors.size() < scene_.times.size()) continue;
     const int order = ladder.candidate().order;
-    const double error = errors_of(ladder, *finest).back(),
-                 needed = std::pow(error / (within_target * wanted_), 1.0 / order);
-    if (!(error < 0.5) || needed > 2.0 * most_refinement) continue;
+    const std::vector<double> errors = errors_of(ladder, *finest);
+    const double needed = std::pow(errors.back() / (within_target * wanted_), 1.0 / order);
+    if (!(errors.back() < largest_extrapolated) || needed > 2.0 * most_refinement) continue;
     const double refinement = std::exp2(std::ceil(std::log2(std::max(needed, 2.0))));
+    const bool was_made = refinement == 2.0;
+    const auto kept =
+        std::ranges::find_if(errors, [&](double error) { return error > wanted_; }) - errors.begin();
+    const auto last = was_made ? errors.size() : static_cast<std::size_t>(kept);
     Plan plan = plan_for(ladder.settings_at(finest->rate * refinement));
-    plan.estimated_error = error / std::pow(refinement, order);
-    plan.judged_until = scene_.times.back();
+    if (last > 0) {
+      plan.estimated_error = errors[last - 1] / (was_made ? std::exp2(order) : 1.0);
+      plan.judged_until = scene_.times[last - 1];
+    }
     plan.predicted_seconds = finest->work * refinement * duration_ / scene_.times.back();
     plan.why =
         fmt::format("how the errors of {} short runs with {} fall with the step tells that this is needed",
