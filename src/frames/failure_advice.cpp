@@ -191,8 +191,8 @@ std::string failure_advice(const Scene& scene, const State& failed, const StopTe
     const std::string tried = found->tried_until >= scene.duration
                                   ? "to the scene's end"
                                   : fmt::format("until t = {:.3g} s", found->tried_until);
-    advice = fmt::format("; it was tried {} with {:.0f} steps_per_second, and holds", tried,
-                         found->steps_per_second);
+    advice =
+        fmt::format("; it would hold at {:.0f} steps_per_second, tried {}", found->steps_per_second, tried);
   }
   if (!cause.empty()) advice += "; what seems to be the cause: " + cause;
   return advice.empty() ? "; no number of steps_per_second was found with which it holds" : advice;

@@ -188,10 +188,10 @@ Plan make_plan(const Model& model, const State& start, const Truth& truth, const
   plan.judged_until = truth.horizon();
   plan.predicted_seconds = search.seconds(*chosen) * plan.duration / truth.horizon();
   plan.runs = first.runs + search.runs();
-  plan.why = fmt::format(
-      "{}: {} of {} short runs{}, judged where {}; about {:.2g} s of work", settings_text(plan.settings),
-      good ? "the cheapest that is good enough" : "the best, but not good enough,", search.runs(),
-      search.out_of_time() ? " until the time was up" : "", truth.how, plan.predicted_seconds);
+  plan.why =
+      fmt::format("{} of {} short runs{}, judged where {}; about {:.2g} s of work",
+                  good ? "the cheapest that is good enough" : "the best, but not good enough,", search.runs(),
+                  search.out_of_time() ? " until the time was up" : "", truth.how, plan.predicted_seconds);
   const Settings usual = complete_settings({plan.settings.method, {}});
   const double rate = plan.settings.steps_per_second(), least = usual.steps_per_second();
   if (!plan.judged_to_the_end() && rate < least) {
