@@ -20,6 +20,7 @@ namespace {
 // within these bounds.
 constexpr double most_run = 16.0, least_work = 60.0, most_work = 90.0;
 constexpr double safety = 0.9;         // of the target
+constexpr double further = 1.2;        // than a truth reaches: a first plan that is kept
 constexpr double prices_differ = 2.0;  // by how much a method's price may be off before it is measured
 
 // The truth, for one kind of error alone.
@@ -169,6 +170,12 @@ Plan make_plan(const Model& model, const State& start, const Truth& truth, const
   plan.searched = true;
   if (!truth.smallest[kind]) {
     plan.why += fmt::format("; no search, because nothing can judge it: {}", truth.remark);
+    return plan;
+  }
+  if (first.reached && first.judged_until > further * truth.horizon()) {
+    plan.why +=
+        fmt::format("; by rule, because what is true of it is known for no more than the first {:.3g} s",
+                    truth.horizon());
     return plan;
   }
   GridSearch search(model, start, truth, kind, wanted, rules);

@@ -27,7 +27,8 @@ struct SearchRules {
 /// tenths of the target; dearer ones are not run. What a method costs is measured on the way, in processor
 /// time of this machine. Where the truth ends before the scene does, the plan is never coarser than its
 /// method's default. Where none is good enough before the time is up, or before the work that may be spent on
-/// it is, the best is taken; where the truth can't judge, the first plan is.
+/// it is, the best is taken; where the truth can't judge, or judges less of the run than the first plan's own
+/// runs did, the first plan is.
 Plan make_plan(const Model& model, const State& start, const Truth& truth, const AccuracyTarget& target,
                const Plan& first, const SearchRules& rules = {});
 
