@@ -168,17 +168,16 @@ double ProbeLadder::next_work(const ProbeScene& scene) const {
   return last_ ? 2.0 * last_work_ : work_of(scene.model, rate_, scene.times.back());
 }
 
-void ProbeLadder::climb(const ProbeScene& scene, double most_seconds, const StopTest& stop) {
-  const double begin = scene.start.time;
+// The run at the present step; nothing where it fails.
+std::optional<Probe> ProbeLadder::made(const ProbeScene& scene, double most_seconds, const StopTest& stop) {
+  const std::string& method = candidate_.settings.method;
   Probe probe;
   probe.rate = rate_;
-  ++runs_;
-  bool failed = false;
+  last_work_ = 0.0;
   try {
     Run run(scene.model, scene.start, settings_at(rate_), chart_policy);
     const auto work = [&] {
-      return predicted_seconds(scene.model, candidate_.settings.method, run.report().counts,
-                               static_cast<double>(run.steps()));
+      return predicted_seconds(scene.model, method, run.report().counts, static_cast<double>(run.steps()));
     };
     std::int64_t looked_at = 0;
     const auto enough = [&] {
@@ -187,37 +186,43 @@ void ProbeLadder::climb(const ProbeScene& scene, double most_seconds, const Stop
       return run.steps() >= looked_at + 8 && (looked_at = run.steps(), work() > 1.5 * most_seconds);
     };
     for (const double time : scene.times) {
-      const std::optional<State> state = run.at(begin + time, enough);
+      const std::optional<State> state = run.at(scene.start.time + time, enough);
       if (!state) break;
       probe.samples.push_back(sample_of(scene, run.reported(*state)));
     }
     probe.work = last_work_ = work();
-    failed = run.ended();
-    ended_ = !failed && probe.samples.size() < scene.times.size();
+    if (run.ended()) return std::nullopt;
   } catch (const BadRequest&) {
-    failed = true;  // springs too stiff for this step
-    last_work_ = 0.0;
+    return std::nullopt;  // springs too stiff for this step
   }
-  failed_ += failed ? 1 : 0;
-  if (last_ && !failed) {
-    const Probe* before = finest_judged();
-    if (before != nullptr && before->rate * 2.0 != last_->rate) before = nullptr;
-    double largest = 0.0, apart = 0.0;
-    for (std::size_t i = 0; i < std::min(last_->samples.size(), probe.samples.size()); ++i) {
-      const ProbeSample &coarse = last_->samples[i], &fine = probe.samples[i];
-      apart = std::max(apart, distance(scene, coarse, fine));
-      const bool comparable = before != nullptr && i < before->distances.size();
-      const auto earlier = comparable ? std::optional(before->distances[i]) : std::nullopt;
-      largest = std::max({largest, whole_error(apart, earlier, candidate_.order), coarse.length_error});
-      last_->distances.push_back(apart);
-      last_->errors.push_back(largest);
-    }
-    probes_.push_back(*std::move(last_));
+  return probe;
+}
+
+// Estimates the last run's errors from a finer one, and keeps it.
+void ProbeLadder::judge_last(const ProbeScene& scene, const Probe& finer) {
+  const Probe* before = finest_judged();
+  if (before != nullptr && before->rate * 2.0 != last_->rate) before = nullptr;
+  double largest = 0.0, apart = 0.0;
+  for (std::size_t i = 0; i < std::min(last_->samples.size(), finer.samples.size()); ++i) {
+    apart = std::max(apart, distance(scene, last_->samples[i], finer.samples[i]));
+    const bool comparable = before != nullptr && i < before->distances.size();
+    const auto earlier = comparable ? std::optional(before->distances[i]) : std::nullopt;
+    largest =
+        std::max({largest, whole_error(apart, earlier, candidate_.order), last_->samples[i].length_error});
+    last_->distances.push_back(apart);
+    last_->errors.push_back(largest);
   }
-  last_.reset();
-  if (!failed) last_ = std::move(probe);
+  probes_.push_back(*std::move(last_));
+}
+
+void ProbeLadder::climb(const ProbeScene& scene, double most_seconds, const StopTest& stop) {
+  std::optional<Probe> probe = made(scene, most_seconds, stop);
+  ++runs_;
+  failed_ += probe ? 0 : 1;
+  if (last_ && probe) judge_last(scene, *probe);
   rate_ *= 2.0;
-  if (rate_ > highest_rate) ended_ = true;
+  ended_ = rate_ > highest_rate || (probe && probe->samples.size() < scene.times.size());
+  last_ = std::move(probe);
 }
 
 void ProbeLadder::begin_again() {
@@ -237,7 +242,7 @@ std::string ProbeLadder::account() const {
   text += fmt::format("; {} short {}", runs_, runs_ == 1 ? "run" : "runs");
   if (failed_ > 0) text += fmt::format(", {} of them failed", failed_);
   if (const Probe* last = finest_judged(); last != nullptr && !last->errors.empty())
-    text += fmt::format("; at {} steps/s {:.2g} off the next finer one", last->rate, last->errors.back());
+    text += fmt::format("; at {} steps/s estimated {:.2g} off", last->rate, last->errors.back());
   return text;
 }
 

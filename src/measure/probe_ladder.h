@@ -85,6 +85,9 @@ class ProbeLadder {
   std::string account() const;
 
  private:
+  std::optional<Probe> made(const ProbeScene& scene, double most_seconds, const StopTest& stop);
+  void judge_last(const ProbeScene& scene, const Probe& finer);
+
   ProbeCandidate candidate_;
   double rate_;
   bool ended_ = false;
