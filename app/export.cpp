@@ -143,10 +143,12 @@ int export_motion(const ExportFlags& flags) {
     sink.finish();
     if (plan && !flags.quiet) print_accuracy(*plan);
     if (!certifier) return exit_done;
-    certifier->see_until(simulation, scene.duration);
-    const Certificate certificate = certifier->finish();
-    if (!flags.quiet) print_certificate(certificate);
-    return exit_done;
+    return unless_interrupted(interrupts, "the table is whole, but there is no certificate", [&] {
+      certifier->see_until(simulation, scene.duration);
+      const Certificate certificate = certifier->finish();
+      if (!flags.quiet) print_certificate(certificate);
+      return exit_done;
+    });
   });
 }
 

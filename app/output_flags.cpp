@@ -113,9 +113,13 @@ int render_and_report(std::span<const Scene> scenes, const RenderRequest& reques
   }
   const RenderOutcome outcome = render_frames(scenes, watched, progress, stop);
   std::optional<Certificate> certificate;
-  // Where every frame was there already nothing was simulated.
-  if (flags.certify && !outcome.stopped)
-    certificate = outcome.panels.empty() ? certify(scenes.front(), stop) : certifier->finish();
+  const int certified = unless_interrupted(interrupts, "all frames are there, but no certificate", [&] {
+    // Where every frame was there already nothing was simulated.
+    if (flags.certify && !outcome.stopped)
+      certificate = outcome.panels.empty() ? certify(scenes.front(), stop) : certifier->finish();
+    return exit_done;
+  });
+  if (certified != exit_done) return certified;
   if (flags.json) print_json(scenes, request, outcome, plan, certificate);
   if (!flags.quiet) print_summary(scenes, request, outcome);
   if (plan && !flags.quiet) print_accuracy(*plan);

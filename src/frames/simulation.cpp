@@ -22,8 +22,14 @@ Simulation::Simulation(const Scene& scene) : scene_(scene), run_(run_of(scene)) 
 
 std::optional<State> Simulation::at(double time, const StopTest& stop) {
   std::optional<State> state = run_.at(time, stop);
-  if (run_.ended()) throw RunFailure(run_.failure() + failure_advice(scene_, run_.state(), stop));
-  return state;
+  if (!run_.ended()) return state;
+  std::string advice;
+  try {
+    advice = failure_advice(scene_, run_.state(), stop);
+  } catch (const Interrupted&) {
+    // The failure is told in any case.
+  }
+  throw RunFailure(run_.failure() + advice);
 }
 
 }  // namespace taut
