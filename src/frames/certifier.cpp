@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "base/digits.h"
-#include "base/failure.h"
 #include "bounded_queue.h"
 #include "frames/simulation.h"
 #include "measure/cost.h"
@@ -172,8 +171,7 @@ Chosen choose_second(const Scene& scene, const StopTest& stop) {
   if (auto chosen =
           by_method(scene, first, finer, order_1, infinity, ", of the same kind: no other can do this scene"))
     return *std::move(chosen);
-  throw BadRequest(
-      fmt::format("--certify: no second run can be made beside {}", settings_text(scene.settings)));
+  return {nullptr, "no second run"};
 }
 
 std::string length_text(double metres) {
@@ -213,6 +211,7 @@ void Certifier::Work::run() {
   certificate.duration = scene.duration;
   Chosen chosen = choose_second(scene, told_to_stop);
   certificate.how = chosen.how;
+  if (!chosen.second) certificate.problem = "none can be made beside " + settings_text(scene.settings);
   std::optional<Run> twin;
   twin.emplace(model, disturbed(model, scene.start), scene.settings);
   bool apart = false;
