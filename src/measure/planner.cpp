@@ -70,6 +70,8 @@ class GridSearch {
         wanted_(wanted),
         rules_(rules) {}
 
+  // Whether a run with these settings is good enough, as far as the truth goes.
+  bool finds_good(const Settings& settings) { return judged(settings) && good(tried_.back()); }
   // `whole`: the scene's duration over the truth's horizon.
   void run(const Settings& first, double whole);
   // The cheapest that is good enough, by measured prices; else the best; nothing where there is no error at
@@ -123,10 +125,14 @@ void GridSearch::run(const Settings& first, double whole) {
   if (!judged(first)) return;
   const std::vector<std::string> methods =
       rules_.only.empty() ? std::vector<std::string>{} : std::vector{std::string(rules_.only)};
-  const std::vector<MethodVariant> curves = variants_of(model_, start_, methods).variants;
+  std::vector<MethodVariant> curves = variants_of(model_, start_, methods).variants;
+  // What keeps no energy whatever the step may be near the truth as far as that goes, and nowhere beyond.
+  if (rules_.only.empty())
+    std::erase_if(curves,
+                  [](const MethodVariant& curve) { return curve.can.keeps.energy == Keeping::not_kept; });
   GridWalk walk(model_, curves, truth_, most_run);
   double work = 0.0, cheapest = infinity;
-  if (good(tried_.front())) walk.forbid_above(prices_differ * (cheapest = tried_.front().work));
+  if (good(tried_.back())) walk.forbid_above(prices_differ * (cheapest = tried_.back().work));
   while (const std::optional<GridPoint> point = walk.next()) {
     const std::optional<JudgedRun> run =
         judged(settings_at_place(curves[point->curve], point->fineness, point->row));
@@ -172,13 +178,14 @@ Plan make_plan(const Model& model, const State& start, const Truth& truth, const
     plan.why += fmt::format("; no search, because nothing can judge it: {}", truth.remark);
     return plan;
   }
-  if (first.reached && first.judged_until > further * truth.horizon()) {
+  GridSearch search(model, start, truth, kind, wanted, rules);
+  const bool judged_further = first.reached && first.judged_until > further * truth.horizon();
+  if (judged_further && search.finds_good(first.settings)) {
     plan.why +=
         fmt::format("; by rule, because what is true of it is known for no more than the first {:.3g} s",
                     truth.horizon());
     return plan;
   }
-  GridSearch search(model, start, truth, kind, wanted, rules);
   search.run(first.settings, first.duration / truth.horizon());
   const Tried* chosen = search.chosen();
   if (chosen == nullptr) {

@@ -166,7 +166,9 @@ std::vector<double> QuickSearch::errors_of(const ProbeLadder& ladder, const Prob
   std::vector<double> errors = probe.errors;
   for (const ProbeLadder& other : ladders_) {
     const Probe* judge = other.finest_judged();
-    if (judge == nullptr || !independent(ladder, other)) continue;
+    // Where one kind of method is all there is, other numbers of passes have a say, too.
+    const bool has_a_say = only_one_kind_ ? &other != &ladder : independent(ladder, other);
+    if (judge == nullptr || !has_a_say) continue;
     double largest = 0.0;
     for (std::size_t i = 0; i < std::min(errors.size(), judge->errors.size()); ++i) {
       largest = std::max(largest, distance(scene_, probe.samples[i], judge->samples[i]));
