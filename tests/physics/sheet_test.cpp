@@ -88,7 +88,7 @@ TEST(Curtain, RattleWithoutHalvingStopsWithTheReason) {
   EXPECT_TRUE(all_finite(run.state()));
   EXPECT_LE(link_strain(built.model, run.state()).largest, 1e-10) << "the last good state is kept";
   const std::string sentence = run.failure();
-  for (const char* part : {"t = ", "0.0167 s", "method rattle", "cloth.", "steps_per_second"})
+  for (const char* part : {"t = ", "0.0167 s", "method rattle", "cloth."})
     EXPECT_NE(sentence.find(part), std::string::npos) << sentence;
 }
 
