@@ -78,7 +78,7 @@ TEST(Curtain, RattleHoldsThroughHalvings) {
   expect_hooks_on_their_rail(built, state);
 }
 
-// Without halving it stops there, with a sentence that names time, step, link and what to try.
+// Without halving it stops there, with a sentence that names time, step and link.
 TEST(Curtain, RattleWithoutHalvingStopsWithTheReason) {
   const Built built = build_valid(drawn_curtain(16, 5));
   taut::Run run(built.model, built.start, settings("rattle", 60.0), chart_policy);
