@@ -88,7 +88,7 @@ int chart(const ChartFlags& flags) {
   const std::vector<Scene> scenes = load_all(flags);
   require_gnuplot();
   const InterruptWatch interrupts;
-  const StopTest stop = [&] { return interrupts.caught() != 0; };
+  const StopTest stop = stop_test(interrupts);
   std::vector<Chart> charts;
   std::vector<PlanVerdict> verdicts;
   int status = exit_done;

@@ -75,8 +75,8 @@ MapJob job_for(const StabilityFlags& flags, const std::string& scene, const std:
 // Makes the maps of one job and draws them, unless they are only a shard's; gives the exit status.
 int carry_out(const MapJob& job, const StabilityFlags& flags, const InterruptWatch& interrupts) {
   Progress progress(stderr, progress_style(stderr, flags.quiet), "columns");
-  const StabilityMaps maps = make_stability_maps(job.scene, job.request, job.folder, progress,
-                                                 [&] { return interrupts.caught() != 0; });
+  const StabilityMaps maps =
+      make_stability_maps(job.scene, job.request, job.folder, progress, stop_test(interrupts));
   if (flags.json) fmt::print("{}", stability_json(maps, job.scene));
   const bool complete = maps.count.completed == maps.count.planned;
   // What is missing is the reason for the status, so it is said in any case.

@@ -4,14 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <queue>
-#include <utility>
-#include <vector>
 
 #include "base/digits.h"
 #include "measure/stability_edge.h"
 #include "methods/registry.h"
 #include "model/measures.h"
+#include "model/ways_from_pins.h"
 #include "motion/run.h"
 
 namespace taut {
@@ -82,50 +80,20 @@ std::string wrong_at_start(const Scene& scene, const State& failed) {
       worst.strain > 0.0 ? "long" : "short");
 }
 
-// Shortest ways along rigid links from one pin (m).
-std::vector<double> ways_from(const Model& model,
-                              const std::vector<std::vector<std::pair<Index, double>>>& next, Index pin) {
-  using Stop = std::pair<double, Index>;
-  std::vector<double> way(model.masses.size(), infinity);
-  std::priority_queue<Stop, std::vector<Stop>, std::greater<>> open;
-  way[pin] = 0.0;
-  open.emplace(0.0, pin);
-  while (!open.empty()) {
-    const auto [distance, mass] = open.top();
-    open.pop();
-    if (distance > way[mass]) continue;
-    for (const auto& [neighbour, length] : next[mass])
-      if (distance + length < way[neighbour]) open.emplace(way[neighbour] = distance + length, neighbour);
-  }
-  return way;
-}
-
 // Pins as far from each other as rigid links between them reach, or further.
 std::string taut_between_pins(const Scene& scene, const State& failed) {
   constexpr double slack = 1e-3;
-  constexpr std::size_t most_pins = 64;  // whose ways are worth looking for
   const Model& model = scene.model;
-  std::vector<std::vector<std::pair<Index, double>>> next(model.masses.size());
-  for (const Index link : solvable_links(model)) {
-    if (!model.links.rigid(link) || failed.broken(link)) continue;
-    const Index a = model.links.a[link], b = model.links.b[link];
-    next[a].emplace_back(b, model.links.length[link]);
-    next[b].emplace_back(a, model.links.length[link]);
-  }
-  std::vector<Index> pins;
-  for (Index mass = 0; mass < model.masses.size() && pins.size() < most_pins; ++mass)
-    if (model.masses.pinned(mass) && !next[mass].empty()) pins.push_back(mass);
-  for (const Index from : pins) {
-    const std::vector<double> way = ways_from(model, next, from);
-    for (const Index to : pins) {
-      const double gap = (failed.position.at(from) - failed.position.at(to)).norm();
-      if (to <= from || way[to] == infinity || gap < (1.0 - slack) * way[to]) continue;
-      return fmt::format(
-          "the links between the pins {} and {} are {:.6g} m long, and the pins are {:.6g} m apart",
-          model.masses.name[from], model.masses.name[to], way[to], gap);
-    }
-  }
-  return {};
+  std::string cause;
+  const WaysFromPins ways(model, [&](Index link) { return model.links.rigid(link) && !failed.broken(link); });
+  ways.visit_closed([&](const WaysFromPins::Way& way) {
+    const double gap = (failed.position.at(way.from) - failed.position.at(way.to)).norm();
+    if (!cause.empty() || gap < (1.0 - slack) * way.length) return;
+    cause =
+        fmt::format("the links between the pins {} and {} are {:.6g} m long, and the pins are {:.6g} m apart",
+                    model.masses.name[way.from], model.masses.name[way.to], way.length, gap);
+  });
+  return cause;
 }
 
 std::string pins_too_fast(const Scene& scene, const State& failed) {

@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <queue>
-#include <utility>
-#include <vector>
 
 #include "methods/frequency.h"
 #include "model/measures.h"
+#include "model/ways_from_pins.h"
 
 namespace taut {
 namespace {
@@ -92,43 +90,9 @@ TimeScales time_scales(const Model& model, const State& start, double duration) 
 }
 
 double longest_reach(const Model& model) {
-  const Links& links = model.links;
-  std::vector<std::vector<std::pair<Index, double>>> neighbours(model.masses.size());
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    neighbours[links.a[i]].emplace_back(links.b[i], links.length[i]);
-    neighbours[links.b[i]].emplace_back(links.a[i], links.length[i]);
-  }
-  // Dijkstra's shortest paths from all pins at once, then from a mass of each part that none has reached.
-  using Stop = std::pair<double, Index>;
-  std::vector<double> reach(model.masses.size(), infinity);
-  std::priority_queue<Stop, std::vector<Stop>, std::greater<>> open;
-  double longest = 0.0;
-  const auto spread = [&] {
-    while (!open.empty()) {
-      const auto [distance, mass] = open.top();
-      open.pop();
-      if (distance > reach[mass]) continue;
-      longest = std::max(longest, distance);
-      for (const auto& [next, length] : neighbours[mass])
-        if (const double there = distance + length; there < reach[next]) {
-          reach[next] = there;
-          open.emplace(there, next);
-        }
-    }
-  };
-  const auto begin_at = [&](Index mass) {
-    reach[mass] = 0.0;
-    open.emplace(0.0, mass);
-  };
-  for (Index mass = 0; mass < reach.size(); ++mass)
-    if (model.masses.pinned(mass)) begin_at(mass);
-  spread();
-  for (Index mass = 0; mass < reach.size(); ++mass) {
-    if (reach[mass] < infinity) continue;
-    begin_at(mass);
-    spread();
-  }
-  return longest;
+  WaysFromPins ways(model, [](Index) { return true; });
+  ways.reach_parts_without_pins();
+  return ways.longest();
 }
 
 }  // namespace taut

@@ -2,13 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <limits>
-#include <queue>
 #include <string>
-#include <utility>
 
 #include "builder.h"
+#include "model/ways_from_pins.h"
 
 namespace taut {
 namespace {
@@ -60,90 +57,6 @@ class WrongLengths {
   const State& start_;
 };
 
-// The ways along rigid links through free masses from each mass to the pin that is nearest that way (Dijkstra
-// from all pins at once), and so the shortest ways from pin to pin that a link closes.
-class WaysFromPins {
- public:
-  explicit WaysFromPins(const Model& model)
-      : model_(model),
-        first_(model.masses.size() + 1, 0),
-        way_(model.masses.size(), infinity),
-        pin_(model.masses.size(), no_mass) {
-    list_neighbours();
-    walk();
-  }
-
-  struct Way {
-    Index from = 0, to = 0;  // pins
-    Index link = 0;          // one of those that it takes
-    double length = 0.0;     // m
-  };
-
-  // Calls visit(way) with every way that a link closes.
-  template <class Visit>
-  void visit_closed(const Visit& visit) const {
-    for (Index link = 0; link < model_.links.size(); ++link) {
-      const Index a = model_.links.a[link], b = model_.links.b[link];
-      if (!model_.links.rigid(link) || (model_.masses.pinned(a) && model_.masses.pinned(b))) continue;
-      if (pin_[a] == no_mass || pin_[b] == no_mass || pin_[a] == pin_[b]) continue;
-      visit(Way{std::min(pin_[a], pin_[b]), std::max(pin_[a], pin_[b]), link,
-                way_[a] + model_.links.length[link] + way_[b]});
-    }
-  }
-
- private:
-  static constexpr Index no_mass = std::numeric_limits<Index>::max();
-
-  // Rigid links mass by mass, as stretches of one list.
-  void list_neighbours() {
-    const Links& links = model_.links;
-    for (Index link = 0; link < links.size(); ++link)
-      if (links.rigid(link)) {
-        ++first_[links.a[link] + 1];
-        ++first_[links.b[link] + 1];
-      }
-    for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
-    links_at_.resize(first_.back());
-    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-    for (Index link = 0; link < links.size(); ++link)
-      if (links.rigid(link)) {
-        links_at_[next[links.a[link]]++] = link;
-        links_at_[next[links.b[link]]++] = link;
-      }
-  }
-
-  void walk() {
-    using Reached = std::pair<double, Index>;
-    std::priority_queue<Reached, std::vector<Reached>, std::greater<>> open;
-    for (Index mass = 0; mass < model_.masses.size(); ++mass)
-      if (model_.masses.pinned(mass)) {
-        way_[mass] = 0.0;
-        pin_[mass] = mass;
-        open.emplace(0.0, mass);
-      }
-    while (!open.empty()) {
-      const auto [way, mass] = open.top();
-      open.pop();
-      if (way > way_[mass]) continue;
-      for (std::size_t k = first_[mass]; k < first_[mass + 1]; ++k) {
-        const Index link = links_at_[k];
-        const Index other = model_.links.a[link] == mass ? model_.links.b[link] : model_.links.a[link];
-        const double longer = way + model_.links.length[link];
-        if (!(longer < way_[other])) continue;
-        way_[other] = longer;
-        pin_[other] = pin_[mass];
-        open.emplace(longer, other);
-      }
-    }
-  }
-
-  const Model& model_;
-  std::vector<std::size_t> first_;  // where each mass's stretch of links_at_ begins
-  std::vector<Index> links_at_;
-  std::vector<double> way_;  // m, from the nearest pin; infinity where no rigid links lead to one
-  std::vector<Index> pin_;   // which pin that is
-};
-
 // The entry that a link comes from.
 const Builder::Entry& entry_of(const Builder& builder, Index link) {
   const auto after =
@@ -158,7 +71,9 @@ void find_taut_way(const Builder& builder, std::vector<Problem>& notes) {
   if (std::ranges::count(model.masses.inverse_mass, 0.0) < 2) return;
   double least = 1.0 + 1e-9;  // length over distance; beyond it there is slack
   WaysFromPins::Way tautest;
-  WaysFromPins(model).visit_closed([&](const WaysFromPins::Way& way) {
+  WaysFromPins(model, [&](Index link) {
+    return model.links.rigid(link);
+  }).visit_closed([&](const WaysFromPins::Way& way) {
     const double apart = (builder.start.position.at(way.from) - builder.start.position.at(way.to)).norm();
     if (!(apart > 0.0) || !(way.length / apart < least)) return;
     least = way.length / apart;
