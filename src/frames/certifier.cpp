@@ -75,10 +75,7 @@ class MethodRuns final : public Second {
         error_share_(error_share) {}
 
   std::optional<State> at(double time, const StopTest& stop) override {
-    const StopTest thrown = [&] {
-      stop_if_told(stop);
-      return false;
-    };
+    const StopTest thrown = throwing(stop);
     std::optional<State> state = fine_.at(time, thrown);
     if (const std::optional<State> coarse = coarse_.at(time, thrown); coarse && state)
       own_error_ = std::max(own_error_, error_share_ * position_error(*coarse, *state));
@@ -106,12 +103,6 @@ struct Chosen {
   std::unique_ptr<Second> second;
   std::string how;
 };
-
-double predicted(const Model& model, const Settings& settings, double seconds) {
-  const auto passes =
-      settings.values.contains("passes") ? static_cast<std::int64_t>(settings.number("passes")) : 2;
-  return predicted_seconds(model, settings.method, settings.steps_per_second() * seconds, passes);
-}
 
 // Nothing where the equations are singular at once, or a tenth of a second tells that all of it would take
 // too long.
@@ -146,14 +137,14 @@ std::optional<Chosen> by_method(const Scene& scene, std::string_view method, dou
   while (rate < most && refused(rate)) rate *= 2.0;
   if (rate > most) return std::nullopt;
   settings.values["steps_per_second"] = rate;
-  if (predicted(scene.model, settings, scene.duration) > most_seconds) return std::nullopt;
+  if (predicted_seconds(scene.model, settings, scene.duration) > most_seconds) return std::nullopt;
   return Chosen{std::make_unique<MethodRuns>(scene.model, scene.start, settings, error_share),
                 settings_text(settings) + remark};
 }
 
 Chosen choose_second(const Scene& scene, const StopTest& stop) {
   const double most_seconds =
-      std::max(least_patience, patience * predicted(scene.model, scene.settings, scene.duration));
+      std::max(least_patience, patience * predicted_seconds(scene.model, scene.settings, scene.duration));
   if (std::optional<Chosen> chosen = by_integration(scene, most_seconds, stop)) return *std::move(chosen);
   const std::string& first = scene.settings.method;
   // Of order 2 the finer run is off by a third of what the two differ by, of order 1 by all of it.
@@ -215,10 +206,7 @@ void Certifier::Work::run() {
   std::optional<Run> twin;
   twin.emplace(model, disturbed(model, scene.start), scene.settings);
   bool apart = false;
-  const StopTest thrown = [&] {
-    stop_if_told(told_to_stop);
-    return false;
-  };
+  const StopTest thrown = throwing(told_to_stop);
   while (const std::optional<State> first = seen.pop()) {
     stop_if_told(told_to_stop);
     if (!certificate.problem.empty()) continue;

@@ -47,4 +47,10 @@ double predicted_seconds(const Model& model, std::string_view method, double ste
   return predicted_seconds(model, method, counts, steps);
 }
 
+double predicted_seconds(const Model& model, const Settings& settings, double seconds) {
+  const auto passes =
+      settings.values.contains("passes") ? static_cast<std::int64_t>(settings.number("passes")) : 2;
+  return predicted_seconds(model, settings.method, settings.steps_per_second() * seconds, passes);
+}
+
 }  // namespace taut

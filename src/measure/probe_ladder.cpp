@@ -158,10 +158,7 @@ bool ProbeLadder::plans(const Settings& settings) const {
 }
 
 double ProbeLadder::work_of(const Model& model, double rate, double seconds) const {
-  const auto passes = candidate_.settings.values.contains("passes")
-                          ? static_cast<std::int64_t>(candidate_.settings.number("passes"))
-                          : 2;
-  return predicted_seconds(model, candidate_.settings.method, rate * seconds, passes);
+  return predicted_seconds(model, settings_at(rate), seconds);
 }
 
 double ProbeLadder::next_work(const ProbeScene& scene) const {

@@ -16,10 +16,7 @@ SampledRun sampled_run(const Model& model, const State& start, const Settings& s
   Run run(model, start, settings, policy);
   SampledRun sampled;
   for (const double time : times) {
-    const std::optional<State> state = run.at(time, [&stop] {
-      stop_if_told(stop);
-      return false;
-    });
+    const std::optional<State> state = run.at(time, throwing(stop));
     if (!state) break;
     sampled.states.push_back(run.reported(*state));
   }

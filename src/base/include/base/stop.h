@@ -19,4 +19,13 @@ inline void stop_if_told(const StopTest& stop) {
   if (stop && stop()) throw Interrupted();
 }
 
+/// A test for what knows no Interrupted: never true, but throws it when told to stop. Refers to the other
+/// test.
+inline StopTest throwing(const StopTest& stop) {
+  return [&stop] {
+    stop_if_told(stop);
+    return false;
+  };
+}
+
 }  // namespace taut

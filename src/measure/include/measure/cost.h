@@ -19,4 +19,8 @@ double predicted_seconds(const Model& model, std::string_view method, const Step
 /// The same before anything has run: so many steps, with so many passes, or rounds of a direct solve, each.
 double predicted_seconds(const Model& model, std::string_view method, double steps, std::int64_t passes);
 
+/// The same for so many seconds of a scene with complete settings; two rounds a step where the method makes
+/// no passes.
+double predicted_seconds(const Model& model, const Settings& settings, double seconds);
+
 }  // namespace taut
