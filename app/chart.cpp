@@ -87,7 +87,7 @@ int chart(const ChartFlags& flags) {
   const ChartRequest request = request_from(flags);
   const std::vector<Scene> scenes = load_all(flags);
   require_gnuplot();
-  const InterruptWatch interrupts;
+  const InterruptWatch interrupts(end_at_once);
   const StopTest stop = stop_test(interrupts);
   std::vector<Chart> charts;
   std::vector<PlanVerdict> verdicts;

@@ -209,7 +209,7 @@ void print_verdict(const Verdict& verdict, const CheckFlags& flags) {
 
 int check(const CheckFlags& flags) {
   if (flags.certify && !flags.run) throw BadRequest("--certify needs a run to certify: --run");
-  const InterruptWatch interrupts;
+  const InterruptWatch interrupts(end_at_once);
   int status = exit_done;
   Json verdicts = Json::array();
   for (const std::string& scene : flags.scenes) {

@@ -50,7 +50,7 @@ int compare(const CompareFlags& flags) {
   print_notes(scenes.front(), flags.output.quiet);
   const RenderRequest request =
       flags.output.request(fmt::format("out/{}-compared", scenes.front().name), compared_panel);
-  const InterruptWatch interrupts;
+  const InterruptWatch interrupts(end_at_once);
   return unless_interrupted(interrupts, "nothing was written",
                             [&] { return render_and_report(scenes, request, flags.output, interrupts); });
 }

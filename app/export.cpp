@@ -122,7 +122,7 @@ int export_motion(const ExportFlags& flags) {
   Scene scene = load(flags.scene.scene, flags.scene.overrides());
   print_notes(scene, flags.quiet);
   const std::vector<Instant> wanted = instants(flags, scene);
-  const InterruptWatch interrupts;
+  const InterruptWatch interrupts(end_at_once);
   return unless_interrupted(interrupts, "nothing was written", [&]() -> int {
     const StopTest stop = stop_test(interrupts);
     const std::optional<Plan> plan = settle_method(scene, flags.plan, flags.scene.method, flags.quiet, stop);

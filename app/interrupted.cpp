@@ -4,9 +4,15 @@
 
 #include <cstdio>
 
+#include "base/abrupt_end.h"
 #include "exit_status.h"
 
 namespace taut {
+
+void end_at_once(int signal) {
+  fmt::print(stderr, "taut: interrupted in the middle of a step that takes long; what was whole is kept\n");
+  end_abruptly(exit_signal + signal);
+}
 
 StopTest stop_test(const InterruptWatch& interrupts) {
   return [&interrupts] { return interrupts.caught() != 0; };

@@ -8,6 +8,9 @@
 
 namespace taut {
 
+/// For an InterruptWatch: takes away what is half made, says so on stderr and ends the process.
+[[noreturn]] void end_at_once(int signal);
+
 /// True once a signal has come.
 StopTest stop_test(const InterruptWatch& interrupts);
 

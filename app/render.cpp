@@ -22,7 +22,7 @@ int render(const RenderFlags& flags) {
   print_notes(scene, flags.output.quiet);
   flags.output.picture.apply_to(scene);
   RenderRequest request = flags.output.request("out/" + scene.name);
-  const InterruptWatch interrupts;
+  const InterruptWatch interrupts(end_at_once);
   return unless_interrupted(interrupts, "nothing was written", [&] {
     const std::optional<Plan> plan =
         settle_method(scene, flags.plan, flags.scene.method, flags.output.quiet, stop_test(interrupts));

@@ -57,7 +57,7 @@ int sag(const SagFlags& flags) {
   const PictureSettings settings = flags.picture.settings(sag_panel);
   const std::string folder = flags.folder.empty() ? "out/" + scene.name + "-sag" : flags.folder;
   require_gnuplot();
-  const InterruptWatch interrupts;
+  const InterruptWatch interrupts(end_at_once);
   Progress progress(stderr, progress_style(stderr, flags.quiet), "rest shapes");
   progress.start(static_cast<int>(passes.size()));
   std::optional<SagStudy> study;

@@ -97,7 +97,7 @@ int stability(const StabilityFlags& flags) {
     print_notes(jobs.back().scene, flags.quiet);
   }
   require_gnuplot();
-  const InterruptWatch interrupts;
+  const InterruptWatch interrupts(end_at_once);
   int status = exit_done;
   for (const MapJob& job : jobs) {
     const int ended = carry_out(job, flags, interrupts);

@@ -35,7 +35,7 @@ int still(const StillFlags& flags) {
   const PictureSettings settings = flags.picture.settings();
   std::optional<std::string> note;
   std::optional<Plan> plan;
-  const InterruptWatch interrupts;
+  const InterruptWatch interrupts(end_at_once);
   const int status = unless_interrupted(interrupts, "nothing was written", [&] {
     plan = settle_method(scene, {}, flags.scene.method, flags.quiet, stop_test(interrupts));
     note = make_still(scene, time, settings, flags.file, stop_test(interrupts));

@@ -36,7 +36,7 @@ int strip(const StripFlags& flags) {
   const PictureSettings settings = flags.picture.settings(strip_panel);
   std::optional<std::string> note;
   std::optional<Plan> plan;
-  const InterruptWatch interrupts;
+  const InterruptWatch interrupts(end_at_once);
   const int status = unless_interrupted(interrupts, "nothing was written", [&] {
     plan = settle_method(scene, {}, flags.scene.method, flags.quiet, stop_test(interrupts));
     note = make_strip(scene, times, settings, flags.file, stop_test(interrupts));

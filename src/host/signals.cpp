@@ -1,27 +1,59 @@
 #include "host/signals.h"
 
+#include <semaphore.h>
 #include <signal.h>
+#include <time.h>
 
 #include <array>
 #include <atomic>
+#include <cerrno>
+#include <utility>
 
 namespace taut {
 namespace {
 
 constexpr std::array watched{SIGINT, SIGTERM};
 
-// A handler gets no argument of ours, so this has to be found from anywhere.
+// A handler gets no argument of ours, so these have to be found from anywhere.
 std::atomic<int> caught_signal{0};
 static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may not wait");
+sem_t news;  // posted by a signal, and at the end of the watch
 
 extern "C" void remember_signal(int signal) {
+  const int error = errno;
   caught_signal.store(signal);
+  ::sem_post(&news);
+  errno = error;
+}
+
+void wait_for_news() {
+  while (::sem_wait(&news) != 0 && errno == EINTR) {
+  }
+}
+
+// False when there was none in that time.
+bool wait_for_news(double seconds) {
+  constexpr long second = 1'000'000'000;  // ns
+  timespec until{};
+  ::clock_gettime(CLOCK_REALTIME, &until);
+  until.tv_nsec += static_cast<long>(seconds * static_cast<double>(second));
+  until.tv_sec += until.tv_nsec / second;
+  until.tv_nsec %= second;
+  int result = 0;
+  while ((result = ::sem_timedwait(&news, &until)) != 0 && errno == EINTR) {
+  }
+  return result == 0;
 }
 
 }  // namespace
 
-InterruptWatch::InterruptWatch() {
+InterruptWatch::InterruptWatch(std::function<void(int)> end_at_once) {
   caught_signal.store(0);
+  ::sem_init(&news, 0, 0);
+  deadline_ = std::thread([end = std::move(end_at_once)] {
+    wait_for_news();
+    if (caught_signal.load() != 0 && !wait_for_news(seconds_to_end)) end(caught_signal.load());
+  });
   struct sigaction action {};
   action.sa_handler = remember_signal;
   // One shot: the second signal finds the default action. Restart: library calls need not know of this.
@@ -33,6 +65,9 @@ InterruptWatch::~InterruptWatch() {
   struct sigaction action {};
   action.sa_handler = SIG_DFL;
   for (const int signal : watched) ::sigaction(signal, &action, nullptr);
+  ::sem_post(&news);
+  deadline_.join();
+  ::sem_destroy(&news);
 }
 
 int InterruptWatch::caught() const {

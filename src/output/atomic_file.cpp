@@ -30,6 +30,7 @@ PendingFile::PendingFile(std::filesystem::path final_name)
   descriptor_ =
       ::open(temporary_.c_str(), O_CREAT | O_TRUNC | O_WRONLY | O_CLOEXEC, everyone_as_umask_allows);
   if (descriptor_ < 0) cannot_write(final_, errno);
+  goes_away_.emplace([name = temporary_] { ::unlink(name.c_str()); });
 }
 
 PendingFile::~PendingFile() {
@@ -50,6 +51,7 @@ void PendingFile::commit() {
   // Some file systems report a full disk only when a file is closed.
   if (::close(std::exchange(descriptor_, -1)) != 0) cannot_write(final_, errno);
   if (::rename(temporary_.c_str(), final_.c_str()) != 0) cannot_write(final_, errno);
+  goes_away_.reset();
   temporary_.clear();
 }
 

@@ -88,6 +88,11 @@ bool has_ended(pid_t process) {
          end.si_pid != 0;
 }
 
+// Its whole group: a grandchild would go on holding the pipe that is read here.
+void kill_group(pid_t process) {
+  ::kill(-process, SIGKILL);
+}
+
 int wait_for(pid_t process) {
   int status = 0;
   while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
@@ -144,12 +149,17 @@ ChildProcess::ChildProcess(const std::filesystem::path& program, const std::vect
     cannot_start(program, error);
   }
   ::shutdown(input_, SHUT_RD);
+  is_ended_.emplace([process = process_] {
+    kill_group(process);
+    siginfo_t end{};
+    ::waitid(P_PID, static_cast<id_t>(process), &end, WEXITED | WNOWAIT);  // then it makes no more files
+  });
   reader_ = std::thread(keep_last, complaints_, std::ref(last_lines_));
 }
 
 ChildProcess::~ChildProcess() {
   if (process_ < 0) return;
-  ::kill(-process_, SIGKILL);  // its whole group: a grandchild would go on holding the pipe that is read here
+  kill_group(process_);
   finish();
 }
 
@@ -177,6 +187,7 @@ ProcessEnd ChildProcess::finish(const StopTest& stop) {
   }
   reader_.join();
   close_if_open(complaints_);
+  is_ended_.reset();
   const int status = wait_for(std::exchange(process_, -1));
   return {status, std::move(last_lines_)};
 }

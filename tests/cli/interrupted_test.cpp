@@ -93,6 +93,35 @@ TEST_P(InterruptedTest, EndsAPlanToo) {
   }
 }
 
+// One step that takes far longer than a second: newton on a net of a hundred thousand links and more.
+TEST_P(InterruptedTest, EndsInTheMiddleOfAStep) {
+  const TemporaryFolder folder;
+  const auto [signal, status] = GetParam();
+  const std::string scene = folder.write("net.toml", R"([world]
+duration = 1
+[solve]
+method = "newton"
+steps_per_second = 30
+[[sheet]]
+name = "net"
+rows = 300
+columns = 300
+from = [0, 3, 0]
+to = [3, 3, 0]
+down = [0, -3, 0]
+pinned = ["top-left", "top-right"]
+diagonals = true
+)");
+  const std::string script =
+      "'" TAUT_PROGRAM "' render '" + scene + "' --no-frames --film '" + (folder / "film.mp4") +
+      "' --size 64x48 & process=$!; for i in $(seq 500); do ls -A '" + (folder / "") +
+      "' | grep -q part && break; sleep 0.02; done; sleep 0.5; kill -" + signal + " $process; wait $process";
+  const Ran ran = run_program("/bin/sh", {"-c", script});
+  EXPECT_EQ(ran.status, status) << ran.err;
+  EXPECT_NE(ran.err.find("interrupted in the middle of a step"), std::string::npos) << ran.err;
+  EXPECT_EQ(folder.entries(), 1U) << "the scene, and nothing half made";
+}
+
 TEST(Killed, TheNextRunGoesOnFromTheManifest) {
   const TemporaryFolder folder;
   EXPECT_EQ(interrupted_render(folder, "KILL").status, 137);

@@ -1,18 +1,28 @@
 #pragma once
 
+#include <functional>
+#include <thread>
+
 namespace taut {
 
 /// While it lives, the first SIGINT or SIGTERM does not end the process but is remembered, so that what is
 /// being made can be brought to a whole end; the second one ends it as usual. At most one at a time.
 class InterruptWatch {
  public:
-  InterruptWatch();
+  /// `end_at_once` is called with the signal, in a thread of its own, where the watch still lives
+  /// `seconds_to_end` after it: whatever is going on then does not ask often enough.
+  explicit InterruptWatch(std::function<void(int)> end_at_once);
   ~InterruptWatch();
   InterruptWatch(const InterruptWatch&) = delete;
   InterruptWatch& operator=(const InterruptWatch&) = delete;
 
   /// The signal that came, 0 so far.
   int caught() const;
+
+  static constexpr double seconds_to_end = 0.8;
+
+ private:
+  std::thread deadline_;
 };
 
 }  // namespace taut

@@ -2,8 +2,11 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string_view>
+
+#include "base/abrupt_end.h"
 
 namespace taut {
 
@@ -28,6 +31,7 @@ class PendingFile {
  private:
   std::filesystem::path final_, temporary_;
   int descriptor_ = -1;
+  std::optional<AtAbruptEnd> goes_away_;
 };
 
 /// Writes a whole file at once: it is there complete, or as it was before. Throws RunFailure with the

@@ -11,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "base/abrupt_end.h"
 #include "base/stop.h"
 
 namespace taut {
@@ -45,6 +46,7 @@ class ChildProcess {
   int complaints_ = -1;
   std::string last_lines_;
   std::thread reader_;  ///< empties the program's standard error, which would block it when full
+  std::optional<AtAbruptEnd> is_ended_;
 };
 
 }  // namespace taut
