@@ -104,9 +104,8 @@ class ShakeStepper final : public SwappingStepper {
 
   // What the multipliers say of the start of a step of h seconds that has also answered the kick before it.
   void put_start_tensions(double h, double kick_before, std::vector<double>& tension) const {
-    const double scale = (1.0 + 0.5 * h * model_.drag) / (h * (0.5 * h + kick_before));
-    for (std::size_t i = 0; i < links_.size(); ++i)
-      tension[links_.link[i]] = relaxation_.multipliers()[i] * start_direction_.at(i).norm() * scale;
+    relaxation_.give_multipliers((1.0 + 0.5 * h * model_.drag) / (h * (0.5 * h + kick_before)), tension);
+    for (std::size_t i = 0; i < links_.size(); ++i) tension[links_.link[i]] *= start_direction_.at(i).norm();
   }
 
   void probe_tensions(State& state, double h, StepReport& report) {
@@ -121,20 +120,25 @@ class ShakeStepper final : public SwappingStepper {
   }
 
   bool relax(const Vectors& start, double h, StepReport& report) {
-    relaxation_.begin_step();
+    relaxation_.begin_step_along(coordinates(start), coordinates(std::as_const(position_)));
+    const bool judged = tolerance_ > 0.0;
     for (int made = 0; passes_.another(made, limits_.pushed(), start, position_, h); ++made) {
-      const AlongStart found =
-          relaxation_.pass_along(coordinates(std::as_const(start_direction_)), coordinates(position_));
-      if (found.lost) {
+      const AlongStart found = relaxation_.pass_along(judged);
+      if (found.lost()) {
         report.status = std::isfinite(found.lost_along) ? StepStatus::direction_lost : StepStatus::not_finite;
         report.worst_link = found.lost_link;
         return false;
       }
-      limits_.solve_along(start, position_, h, 1.0);
+      if (limits_.size() > 0) {
+        relaxation_.give(coordinates(position_));
+        limits_.solve_along(start, position_, h, 1.0);
+        relaxation_.take(coordinates(std::as_const(position_)));
+      }
       ++report.rounds;
       report.link_solves += relaxation_.size() + limits_.size();
-      if (found.worst <= tolerance_) break;
+      if (judged && found.worst <= tolerance_) break;
     }
+    relaxation_.give(coordinates(position_));
     return true;
   }
 

@@ -46,13 +46,17 @@ class VerletStepper final : public FileOrderStepper {
     joints_.act(state, h, 1.0, velocity_);
     drift(h, start_, velocity_, state.position);
     place_pins(model_, end_time, state.position, velocity_);
-    links_.begin_step();
+    links_.begin_step(h, 1.0, coordinates(std::as_const(start_)), coordinates(std::as_const(state.position)));
     limits_and_contacts_.begin_step(start_, state);
     int made = 0;
     for (; passes_.another(made, limits_and_contacts_.may_jump(), start_, state.position, h); ++made) {
-      links_.pass(h, 1.0, coordinates(std::as_const(start_)), coordinates(state.position));
+      links_.pass();
+      if (limits_and_contacts_.none()) continue;
+      links_.give(coordinates(state.position));
       limits_and_contacts_.solve(h, 1.0, state.position);
+      links_.take(coordinates(std::as_const(state.position)));
     }
+    links_.give(coordinates(state.position));
     StepReport report;
     report.rounds = made;
     report.link_solves = (links_.size() + limits_and_contacts_.size()) * made;
@@ -71,9 +75,7 @@ class VerletStepper final : public FileOrderStepper {
     }
     limits_and_contacts_.keep(state);
     joints_.keep(start_, state);
-    const double kicked_for = state.unanswered_kick + 0.5 * h;
-    for (std::size_t i = 0; i < links_.links().size(); ++i)
-      state.tension[links_.links()[i]] = -links_.multipliers()[i] / (h * kicked_for);
+    links_.give_multipliers(-1.0 / (h * (state.unanswered_kick + 0.5 * h)), state.tension);
     state.unanswered_kick = 0.5 * h;
     return report;
   }

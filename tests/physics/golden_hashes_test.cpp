@@ -36,6 +36,18 @@ std::map<std::string, std::string> read_golden() {
   return golden;
 }
 
+// In the place of the one that was there for the same key, or at the end.
+void write_golden(const std::string& key, const std::string& hash) {
+  std::vector<std::string> lines;
+  std::ifstream in(golden_file);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  const auto same =
+      std::ranges::find_if(lines, [&](const auto& line) { return line.starts_with(key + ' '); });
+  (same == lines.end() ? lines.emplace_back() : *same) = key + ' ' + hash;
+  std::ofstream out(golden_file);
+  for (const std::string& line : lines) out << line << '\n';
+}
+
 Settings settings_for(const Scene& scene, const Method& method) {
   return method.name == scene.settings.method ? scene.settings
                                               : complete_settings({std::string(method.name), {}});
@@ -75,7 +87,7 @@ TEST_P(GoldenHashes, HoldWithAndWithoutAPauseInAnotherProcess) {
               hash);
     const std::string key = fmt::format("{} {} {}", GetParam(), method.name, steps);
     if (write) {
-      std::ofstream(golden_file, std::ios::app) << key << ' ' << hash << '\n';
+      write_golden(key, hash);
     } else {
       const auto found = golden.find(key);
       ASSERT_NE(found, golden.end()) << "no golden hash of " << key;

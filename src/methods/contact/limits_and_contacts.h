@@ -10,7 +10,11 @@ namespace taut {
 /// touch, solids, and the ground.
 class LimitsAndContacts {
  public:
-  explicit LimitsAndContacts(const Model& model) : limits_(model), bodies_(model), contacts_(model) {
+  explicit LimitsAndContacts(const Model& model)
+      : limits_(model),
+        bodies_(model),
+        contacts_(model),
+        none_(model.limits.empty() && model.contacts.empty()) {
     for (const Collider& collider : model.colliders) rebounds_ = rebounds_ || collider.restitution > 0.0;
   }
 
@@ -21,6 +25,9 @@ class LimitsAndContacts {
     bodies_.begin_step(predicted.static_friction.bodies, start, predicted.position);
     contacts_.begin_step(predicted.static_friction.solids, start, predicted.velocity, predicted.position);
   }
+
+  /// Whether there are none of them: then solve() need not be called.
+  bool none() const { return none_; }
 
   /// One pass, to follow that over the links. `answer` is what a mass moves by beside its inverse mass: 1/(1
   /// + h·drag) where drag is implicit in all forces.
@@ -50,6 +57,7 @@ class LimitsAndContacts {
   LimitSolver limits_;
   BodyContacts bodies_;
   ContactSolver contacts_;
+  bool none_;
   bool rebounds_ = false;  // whether any solid gives something back
 };
 

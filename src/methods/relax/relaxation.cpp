@@ -1,15 +1,11 @@
-// Plain numbers, coordinate by coordinate: packed into vectors of three the loops take a seventh longer. Each
-// loop is made once for every set of things that a scene may lack; what is left out would multiply by one, or
-// add a zero, so the results are the same, bit for bit.
-
 #include "relax/relaxation.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <utility>
 
 #include "model/parts.h"
-#include "relax/link_order.h"
+#include "relax/visit_order.h"
 
 namespace taut {
 namespace {
@@ -26,166 +22,196 @@ double common_weight(const Model& model) {
 
 template <class Real>
 Relaxation<Real>::Relaxation(const Model& model, Visits visits)
-    : model_(model),
-      visits_(visits),
-      equal_weight_(static_cast<Real>(common_weight(model))),
-      equal_inverse_weight_(Real(0.5) / equal_weight_) {}
+    : model_(model), visits_(visits), equal_weight_(common_weight(model)) {}
 
 template <class Real>
 void Relaxation<Real>::links_changed(const State& state) {
-  const OrderedLinks order = coloured_order(model_, state);
-  flat_ = stays_in_plane(model_, state);
-  plain_.clear();
-  weighted_.clear();
-  colours_.clear();
-  std::vector<Index> plain, weighted;
-  std::size_t next = 0;
-  for (const std::size_t end : order.colour_ends) {
-    for (; next < end; ++next) {
-      const Index link = order.links[next];
-      if (visits_ == Visits::rigid && !model_.links.rigid(link)) continue;
-      const Index a = model_.links.a[link], b = model_.links.b[link];
-      const auto length = static_cast<Real>(model_.links.length[link]);
-      const auto weight_a = static_cast<Real>(model_.masses.inverse_mass[a]),
-                 weight_b = static_cast<Real>(model_.masses.inverse_mass[b]);
-      if (weight_a == equal_weight_ && weight_b == equal_weight_) {
-        plain_.push_back({a, b, length});
-        plain.push_back(link);
-      } else {
-        weighted_.push_back({a, b, length, weight_a, weight_b, Real(1) / (weight_a + weight_b)});
-        weighted.push_back(link);
-      }
+  links_.clear();
+  for (const Index link : solvable_links(model_))
+    if (!state.broken(link) && (visits_ == Visits::all || model_.links.rigid(link))) links_.push_back(link);
+  const VisitOrder order = visit_order(model_, links_);
+  masses_ = order.masses;
+  place_.assign(model_.masses.size(), 0);
+  for (std::size_t i = 0; i < masses_.size(); ++i) place_[masses_[i]] = static_cast<Index>(i);
+  start_.assign(masses_.size(), {});
+  pin_ends_.clear();
+  visited_.clear();
+  special_.clear();
+  stretches_.clear();
+  arrays_ = {};
+  damped_ = false;
+  for (const VisitOrder::Run& run : order.runs) add_run(run);
+  position_ = start_;
+  arrays_.multiplier.assign(visited_.size(), Real(0));
+  for (auto* values : {&arrays_.move_a, &arrays_.move_b, &arrays_.factor, &arrays_.scaled, &arrays_.gamma})
+    values->assign(special_.size(), Real(0));
+  settled_h_ = settled_answer_ = 0;
+}
+
+// Apart by what they lack, so that each kind pays for no more than it has.
+template <class Real>
+void Relaxation<Real>::add_run(const std::vector<Index>& run) {
+  std::array<std::vector<Index>, 6> kinds;
+  const auto kind_of = [&](Index link) {
+    const Links& links = model_.links;
+    const bool weighted = model_.masses.inverse_mass[links.a[link]] != equal_weight_ ||
+                          model_.masses.inverse_mass[links.b[link]] != equal_weight_;
+    const std::size_t softness = links.rigid(link) ? 0 : links.damping[link] > 0.0 ? 2 : 1;
+    return 2 * softness + (weighted ? 1 : 0);
+  };
+  for (const Index link : run) kinds[kind_of(link)].push_back(link);
+  for (std::size_t kind = 0; kind < kinds.size(); ++kind)
+    if (!kinds[kind].empty()) {
+      LinkStretch stretch;
+      stretch.weighted = kind % 2 != 0;
+      stretch.soft = kind >= 2;
+      stretch.damped = kind >= 4;
+      add_stretch(kinds[kind], stretch);
     }
-    colours_.push_back({plain_.size(), weighted_.size()});
-  }
-  links_ = std::move(plain);
-  links_.insert(links_.end(), weighted.begin(), weighted.end());
-  softness_.clear();
-  compliant_ = damped_ = false;
-  for (const Index link : links_) {
-    softness_.push_back(
-        {static_cast<Real>(model_.links.compliance(link)), static_cast<Real>(model_.links.damping[link])});
-    compliant_ = compliant_ || !model_.links.rigid(link);
-    damped_ = damped_ || model_.links.damping[link] > 0.0;
-  }
-  begin_step();
-}
-
-// Calls visit(links, begin, end, first) for each stretch of links of one kind and colour; their multipliers
-// begin at `first`.
-template <class Real>
-template <class Visit>
-void Relaxation<Real>::for_each_stretch(const Visit& visit) {
-  Colour begin{0, 0};
-  for (const Colour& end : colours_) {
-    visit(plain_, begin.plain_end, end.plain_end, std::size_t{0});
-    visit(weighted_, begin.weighted_end, end.weighted_end, plain_.size());
-    begin = end;
-  }
 }
 
 template <class Real>
-void Relaxation<Real>::pass(Real h, Real answer, const Coordinates<const Real>& start,
-                            const Coordinates<Real>& position) {
-  if (damped_)
-    flat_ ? pass_of<true, true, true>(h, answer, start, position)
-          : pass_of<true, true, false>(h, answer, start, position);
-  else if (compliant_)
-    flat_ ? pass_of<true, false, true>(h, answer, start, position)
-          : pass_of<true, false, false>(h, answer, start, position);
-  else
-    flat_ ? pass_of<false, false, true>(h, answer, start, position)
-          : pass_of<false, false, false>(h, answer, start, position);
-}
-
-template <class Real>
-template <bool compliant, bool damped, bool flat>
-void Relaxation<Real>::pass_of(Real h, Real answer, [[maybe_unused]] const Coordinates<const Real>& start,
-                               const Coordinates<Real>& position) {
-  [[maybe_unused]] const Real inverse_h = Real(1) / h;
-  const Real inverse_answer = Real(1) / answer;
-  Real *const x = position.x, *const y = position.y, *const z = position.z;
-  for_each_stretch([&](const auto& links, std::size_t begin, std::size_t end, std::size_t first) {
-    Real* const multipliers = multipliers_.data() + first;
-    for (std::size_t i = begin; i < end; ++i) {
-      const auto& link = links[i];
-      const Index a = link.a, b = link.b;
-      const Real dx = x[a] - x[b], dy = y[a] - y[b];
-      Real dz = 0;
-      Real square = dx * dx + dy * dy;
-      if constexpr (!flat) {
-        dz = z[a] - z[b];
-        square += dz * dz;
-      }
-      const Real distance = std::sqrt(square);
-      if (distance == Real(0)) continue;  // no direction to move in
-      const Real inverse_distance = Real(1) / distance;
-      Real change = link.length - distance;
-      if constexpr (compliant) {
-        const Softness& soft = softness_[first + i];
-        const Real scaled = soft.compliance * inverse_h * inverse_h;
-        const Real weight = answer * (weight_a(link) + weight_b(link));
-        change -= scaled * multipliers[i];
-        if constexpr (damped) {
-          const Real gamma = soft.compliance * soft.damping * inverse_h;
-          const Real moved = (dx - (start.x[a] - start.x[b])) * dx + (dy - (start.y[a] - start.y[b])) * dy +
-                             (dz - (start.z[a] - start.z[b])) * dz;
-          change -= gamma * inverse_distance * moved;
-          change /= weight * (Real(1) + gamma) + scaled;
-        } else {
-          change /= weight + scaled;
-        }
-      } else {
-        change *= inverse_weight(link) * inverse_answer;
-      }
-      multipliers[i] += change;
-      const Real shift = answer * change * inverse_distance;
-      const Real on_a = weight_a(link) * shift, on_b = weight_b(link) * shift;
-      x[a] += on_a * dx;
-      y[a] += on_a * dy;
-      x[b] -= on_b * dx;
-      y[b] -= on_b * dy;
-      if constexpr (!flat) {
-        z[a] += on_a * dz;
-        z[b] -= on_b * dz;
-      }
+void Relaxation<Real>::add_stretch(const std::vector<Index>& links, LinkStretch stretch) {
+  stretch.begin = visited_.size();
+  stretch.special = special_.size();
+  for (const Index link : links) add_link(link, stretch);
+  if (const std::size_t over = visited_.size() % links_at_once<Real>; over != 0) {
+    // Filled up with links between two masses of the stretch's own that are one metre apart and stay so.
+    const auto place = static_cast<Index>(start_.size());
+    start_.push_back({});
+    start_.push_back({});
+    start_.back().x = Real(1);
+    for (std::size_t i = over; i < links_at_once<Real>; ++i) {
+      arrays_.a.push_back(place);
+      arrays_.b.push_back(place + 1);
+      arrays_.length.push_back(Real(1));
+      visited_.push_back(no_link);
+      if (stretch.weighted || stretch.soft) special_.push_back(no_link);
     }
-  });
+  }
+  stretch.end = visited_.size();
+  damped_ = damped_ || stretch.damped;
+  stretches_.push_back(stretch);
 }
 
 template <class Real>
-AlongStart Relaxation<Real>::pass_along(const Coordinates<const Real>& direction,
-                                        const Coordinates<Real>& position) {
-  AlongStart found;
-  Real *const x = position.x, *const y = position.y, *const z = position.z;
-  for_each_stretch([&](const auto& links, std::size_t begin, std::size_t end, std::size_t first) {
-    for (std::size_t i = begin; i < end && !found.lost; ++i) {
-      const auto& link = links[i];
-      const Index a = link.a, b = link.b;
-      const Real squared = link.length * link.length;
-      const Real ux = direction.x[first + i], uy = direction.y[first + i], uz = direction.z[first + i];
-      const Real dx = x[a] - x[b], dy = y[a] - y[b], dz = z[a] - z[b];
-      const Real along = dx * ux + dy * uy + dz * uz;
-      if (!(along > Real(0))) {
-        found.lost = true;
-        found.lost_link = links_[first + i];
-        found.lost_along = static_cast<double>(along);
-        return;
-      }
-      const Real excess = dx * dx + dy * dy + dz * dz - squared;
-      found.worst = std::max(found.worst, static_cast<double>(std::abs(excess) / squared));
-      const Real q = excess * inverse_weight(link) / (Real(2) * along);
-      multipliers_[first + i] += q;
-      const Real on_a = weight_a(link) * q, on_b = weight_b(link) * q;
-      x[a] -= on_a * ux;
-      y[a] -= on_a * uy;
-      z[a] -= on_a * uz;
-      x[b] += on_b * ux;
-      y[b] += on_b * uy;
-      z[b] += on_b * uz;
-    }
-  });
-  return found;
+void Relaxation<Real>::add_link(Index link, const LinkStretch& stretch) {
+  arrays_.a.push_back(place_of(model_.links.a[link]));
+  arrays_.b.push_back(place_of(model_.links.b[link]));
+  arrays_.length.push_back(static_cast<Real>(model_.links.length[link]));
+  visited_.push_back(link);
+  if (stretch.weighted || stretch.soft) special_.push_back(link);
+}
+
+template <class Real>
+Index Relaxation<Real>::place_of(Index mass) {
+  if (!model_.masses.pinned(mass)) return place_[mass];
+  const auto place = static_cast<Index>(start_.size());
+  start_.push_back({});
+  pin_ends_.push_back({mass, place});
+  return place;
+}
+
+// What the formulas have of h, drag, weights and softness together.
+template <class Real>
+void Relaxation<Real>::settle(Real h, Real answer) {
+  if (h == settled_h_ && answer == settled_answer_) return;
+  settled_h_ = h;
+  settled_answer_ = answer;
+  for (std::size_t i = 0; i < special_.size(); ++i) {
+    if (special_[i] == no_link) continue;
+    const Index link = special_[i];
+    const double step = static_cast<double>(h), moves = static_cast<double>(answer);
+    const double move_a = moves * model_.masses.inverse_mass[model_.links.a[link]],
+                 move_b = moves * model_.masses.inverse_mass[model_.links.b[link]];
+    const double compliance = model_.links.compliance(link), damping = model_.links.damping[link];
+    const double scaled = compliance / (step * step), gamma = compliance * damping / step;
+    arrays_.move_a[i] = static_cast<Real>(move_a);
+    arrays_.move_b[i] = static_cast<Real>(move_b);
+    arrays_.scaled[i] = static_cast<Real>(scaled);
+    arrays_.gamma[i] = static_cast<Real>(gamma);
+    arrays_.factor[i] = static_cast<Real>(1.0 / ((1.0 + gamma) * (move_a + move_b) + scaled));
+  }
+}
+
+template <class Real>
+LinkArrays<Real> Relaxation<Real>::arrays() {
+  const double move = static_cast<double>(settled_answer_) * equal_weight_;
+  return {arrays_.a.data(),          arrays_.b.data(),        arrays_.length.data(),
+          arrays_.multiplier.data(), static_cast<Real>(move), static_cast<Real>(0.5 / move),
+          arrays_.move_a.data(),     arrays_.move_b.data(),   arrays_.factor.data(),
+          arrays_.scaled.data(),     arrays_.gamma.data()};
+}
+
+template <class Real>
+void Relaxation<Real>::begin_step(Real h, Real answer, const Coordinates<const Real>& start,
+                                  const Coordinates<const Real>& position) {
+  settle(h, answer);
+  std::fill(arrays_.multiplier.begin(), arrays_.multiplier.end(), Real(0));
+  if (damped_) load(start, start_);
+  load(position, position_);
+}
+
+template <class Real>
+void Relaxation<Real>::pass() {
+  relax_along_present(arrays(), stretches_, start_.data(), position_.data());
+}
+
+template <class Real>
+void Relaxation<Real>::begin_step_along(
+    const Coordinates<const Real>& start,
+    const Coordinates<const Real>& position) requires std::same_as<Real, double> {
+  settle(Real(1), Real(1));
+  std::fill(arrays_.multiplier.begin(), arrays_.multiplier.end(), Real(0));
+  load(start, start_);
+  load(position, position_);
+  direction_.resize(visited_.size());
+  link_directions(arrays_.a.data(), arrays_.b.data(), visited_.size(), start_.data(), direction_.data());
+}
+
+template <class Real>
+AlongStart Relaxation<Real>::pass_along(bool judged) requires std::same_as<Real, double> {
+  const AlongFound found =
+      relax_along_start(arrays(), stretches_, direction_.data(), judged, position_.data());
+  AlongStart result;
+  result.worst = found.worst;
+  if (found.lost != AlongFound::nowhere) {
+    result.lost_link = visited_[found.lost];
+    result.lost_along = found.lost_along;
+  }
+  return result;
+}
+
+template <class Real>
+void Relaxation<Real>::load(const Coordinates<const Real>& from, std::vector<Packed<Real>>& to) const {
+  for (std::size_t i = 0; i < masses_.size(); ++i) {
+    const Index mass = masses_[i];
+    to[i] = {from.x[mass], from.y[mass], from.z[mass], Real(0)};
+  }
+  for (const PinEnd& end : pin_ends_)
+    to[end.place] = {from.x[end.mass], from.y[end.mass], from.z[end.mass], Real(0)};
+}
+
+template <class Real>
+void Relaxation<Real>::give(const Coordinates<Real>& position) const {
+  for (std::size_t i = 0; i < masses_.size(); ++i) {
+    const Index mass = masses_[i];
+    position.x[mass] = position_[i].x;
+    position.y[mass] = position_[i].y;
+    position.z[mass] = position_[i].z;
+  }
+}
+
+template <class Real>
+void Relaxation<Real>::take(const Coordinates<const Real>& position) {
+  load(position, position_);
+}
+
+template <class Real>
+void Relaxation<Real>::give_multipliers(double scale, std::vector<double>& values) const {
+  for (std::size_t slot = 0; slot < visited_.size(); ++slot)
+    if (visited_[slot] != no_link)
+      values[visited_[slot]] = static_cast<double>(arrays_.multiplier[slot]) * scale;
 }
 
 template class Relaxation<double>;

@@ -77,14 +77,18 @@ class SingleXpbdStepper final : public FileOrderStepper {
     drift(step, start_.y, position_.y);
     drift(step, start_.z, position_.z);
     put_pins(next.position);
-    links_.begin_step();
-    const auto answer = static_cast<float>(1.0 / (1.0 + h * model_.drag));
+    links_.begin_step(step, static_cast<float>(1.0 / (1.0 + h * model_.drag)),
+                      coordinates(std::as_const(start_)), coordinates(std::as_const(position_)));
     int made = 0;
     bool touched = false;
     for (; passes_.another(made, touched, state.position, next.position, h); ++made) {
-      links_.pass(step, answer, coordinates(std::as_const(start_)), coordinates(position_));
-      if (!ground_.empty()) touched = keep_out(state.position, next.position) || touched;
+      links_.pass();
+      if (ground_.empty()) continue;
+      links_.give(coordinates(position_));
+      touched = keep_out(state.position, next.position) || touched;
+      links_.take(coordinates(std::as_const(position_)));
     }
+    links_.give(coordinates(position_));
     widen(position_, next.position);
     difference_quotient(step, start_.x, position_.x, next.velocity.x);
     difference_quotient(step, start_.y, position_.y, next.velocity.y);
@@ -97,8 +101,7 @@ class SingleXpbdStepper final : public FileOrderStepper {
       report.status = StepStatus::not_finite;
       return report;
     }
-    for (std::size_t i = 0; i < links_.links().size(); ++i)
-      next.tension[links_.links()[i]] = -static_cast<double>(links_.multipliers()[i]) / (h * h);
+    links_.give_multipliers(-1.0 / (h * h), next.tension);
     state = std::move(next);
     return report;
   }

@@ -1,0 +1,7 @@
+# External packages that only taut_methods uses.
+pkg_check_modules(HWY REQUIRED IMPORTED_TARGET libhwy)
+target_link_libraries(taut_methods PRIVATE PkgConfig::HWY)
+
+# It includes itself, once for every set of vector instructions.
+set_source_files_properties(${CMAKE_CURRENT_SOURCE_DIR}/methods/relax/kernels.cpp
+                            PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
