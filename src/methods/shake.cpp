@@ -53,6 +53,7 @@ class ShakeStepper final : public SwappingStepper {
  private:
   void links_changed(const State& state) override {
     relaxation_.links_changed(state);
+    packed_ = relaxation_.room();
     links_ = gather(model_, relaxation_.links());
     passes_.links_changed(relaxation_.links());
     kicks_.links_changed(state);
@@ -120,31 +121,34 @@ class ShakeStepper final : public SwappingStepper {
   }
 
   bool relax(const Vectors& start, double h, StepReport& report) {
-    relaxation_.begin_step_along(coordinates(start), coordinates(std::as_const(position_)));
+    relaxation_.load(start, packed_);
+    relaxation_.begin_step_along(packed_);
+    relaxation_.load(position_, packed_);
     const bool judged = tolerance_ > 0.0;
     for (int made = 0; passes_.another(made, limits_.pushed(), start, position_, h); ++made) {
-      const AlongStart found = relaxation_.pass_along(judged);
+      const AlongStart found = relaxation_.pass_along(judged, packed_);
       if (found.lost()) {
         report.status = std::isfinite(found.lost_along) ? StepStatus::direction_lost : StepStatus::not_finite;
         report.worst_link = found.lost_link;
         return false;
       }
       if (limits_.size() > 0) {
-        relaxation_.give(coordinates(position_));
+        relaxation_.give(packed_, position_);
         limits_.solve_along(start, position_, h, 1.0);
-        relaxation_.take(coordinates(std::as_const(position_)));
+        relaxation_.load(position_, packed_);
       }
       ++report.rounds;
       report.link_solves += relaxation_.size() + limits_.size();
       if (judged && found.worst <= tolerance_) break;
     }
-    relaxation_.give(coordinates(position_));
+    relaxation_.give(packed_, position_);
     return true;
   }
 
   const Model& model_;
   PassControl passes_;
   Relaxation<double> relaxation_;
+  Relaxation<double>::Masses packed_;
   double tolerance_;
   HalfKicks kicks_;
   LimitSolver limits_;

@@ -16,82 +16,13 @@
 // follow the links in every pass; where one pushes, more passes may follow (pass_control.h).
 
 #include <array>
-#include <utility>
-#include <vector>
 
-#include "contact/joint_resistance.h"
-#include "contact/limits_and_contacts.h"
-#include "file_order_stepper.h"
-#include "forces/forces.h"
 #include "methods/method.h"
 #include "parameters.h"
-#include "relax/pass_control.h"
-#include "relax/relaxation.h"
-#include "relax/xpbd_single.h"
+#include "relax/relaxation_stepper.h"
 
 namespace taut {
 namespace {
-
-class XpbdStepper final : public FileOrderStepper {
- public:
-  XpbdStepper(const Model& model, PassCounts passes)
-      : model_(model), passes_(model, passes), links_(model), limits_and_contacts_(model), joints_(model) {}
-
- private:
-  void links_changed(const State& state) override {
-    links_.links_changed(state);
-    passes_.links_changed(links_.links());
-  }
-
-  StepReport make_step(State& state, double h, double end_time) override {
-    const double start_time = state.time, answer = 1.0 / (1.0 + h * model_.drag);
-    start_ = state.position;
-    velocity_ = state.velocity;
-    kick(model_, end_time, h, state.velocity, velocity_);
-    blow(model_, state, state.position, state.velocity, end_time, h, velocity_);
-    joints_.act(state, h, 1.0, velocity_);
-    drift(h, start_, velocity_, state.position);
-    place_pins(model_, end_time, state.position, velocity_);
-    links_.begin_step(h, answer, coordinates(std::as_const(start_)),
-                      coordinates(std::as_const(state.position)));
-    limits_and_contacts_.begin_step(start_, state);
-    int made = 0;
-    for (; passes_.another(made, limits_and_contacts_.may_jump(), start_, state.position, h); ++made) {
-      links_.pass();
-      if (limits_and_contacts_.none()) continue;
-      links_.give(coordinates(state.position));
-      limits_and_contacts_.solve(h, answer, state.position);
-      links_.take(coordinates(std::as_const(state.position)));
-    }
-    links_.give(coordinates(state.position));
-    StepReport report;
-    report.rounds = made;
-    report.link_solves = (links_.size() + limits_and_contacts_.size()) * made;
-    difference_quotient(h, start_, state.position, velocity_);
-    limits_and_contacts_.rebound(h, velocity_);
-    place_pins(model_, end_time, state.position, velocity_);
-    std::swap(state.velocity, velocity_);
-    state.time = end_time;
-    if (!all_finite(state)) {
-      std::swap(state.position, start_);
-      std::swap(state.velocity, velocity_);
-      state.time = start_time;
-      report.status = StepStatus::not_finite;
-      return report;
-    }
-    limits_and_contacts_.keep(state);
-    joints_.keep(start_, state);
-    links_.give_multipliers(-1.0 / (h * h), state.tension);
-    return report;
-  }
-
-  const Model& model_;
-  PassControl passes_;
-  Relaxation<double> links_;
-  LimitsAndContacts limits_and_contacts_;
-  JointResistance joints_;
-  Vectors start_, velocity_;
-};
 
 constexpr std::array<std::string_view, 2> precisions{"double", "single"};
 constexpr std::array xpbd_params{
@@ -99,13 +30,14 @@ constexpr std::array xpbd_params{
     passes_param(1.0),
     impact_passes_param(),
     Param{"precision", "", 0, 0, 0, false, precisions,
-          "of positions and velocities; single shows what rounding does, and is no quicker here"},
+          "of positions and velocities; single is quicker, and shows what rounding does"},
 };
 
 std::unique_ptr<Stepper> make_xpbd(const Model& model, const Settings& settings, const Execution&) {
   const PassCounts passes = pass_counts(settings);
-  if (settings.choice("precision") == "single") return make_single_xpbd(model, passes);
-  return std::make_unique<XpbdStepper>(model, passes);
+  if (settings.choice("precision") == "single")
+    return make_single_relaxation_stepper(model, passes, Kicks::whole);
+  return make_relaxation_stepper(model, passes, Kicks::whole);
 }
 
 std::string xpbd_refusal(const Model& model, const State&, const Settings& settings) {

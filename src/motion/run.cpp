@@ -66,7 +66,6 @@ Run::Run(const Model& model, const State& start, const Settings& settings, const
   if (policy.watch_energy && method_.can.takes_steps_back && has_rigid_links(model))
     guard_ = std::make_unique<EnergyGuard>(model, start);
   stepper_->load(saved.state);
-  state_ = &stepper_->store();
 }
 
 Run::~Run() = default;
@@ -79,7 +78,7 @@ double Run::step_time(std::int64_t step) const {
 
 bool Run::step() {
   if (ended()) return false;
-  const double begin = state_->time, h = 1.0 / steps_per_second_;
+  const double begin = step_time(report_.steps), h = 1.0 / steps_per_second_;
   cuts_left_ = most_cuts;
   const StepReport step = guarded_step(h, step_time(report_.steps + 1), policy_.most_halvings);
   report_.counts.add(step);
@@ -88,7 +87,8 @@ bool Run::step() {
     report_.end = RunEnd::step_failed;
     return false;
   }
-  break_links(links_over_threshold(model_, method_.can, *state_), report_.counts);
+  if (!model_.breakable_links.empty())
+    break_links(links_over_threshold(model_, method_.can, state()), report_.counts);
   ++report_.steps;
   return report_.steps % steps_between_looks != 0 || holds_together();
 }
@@ -97,24 +97,22 @@ bool Run::step() {
 // changed when all of it succeeded.
 StepReport Run::guarded_step(double h, double end_time, int halvings) {
   StepReport report = stepper_->step(h, end_time);
-  state_ = &stepper_->store();
   if (report.status == StepStatus::done && guard_ &&
-      guard_->exceeded(*state_, h, ledger_.keeps_anything() ? ledger_.until(*state_) : ledger_.work())) {
+      guard_->exceeded(state(), h, ledger_.keeps_anything() ? ledger_.until(state()) : ledger_.work())) {
     stepper_->undo();
-    state_ = &stepper_->store();
     report.status = StepStatus::energy_jump;
   }
   if (report.status == StepStatus::done) {
     // Where tension and positions are of second order, the moment of a break is, too.
-    if (method_.can.tension_order >= 2 && cuts_left_ > 0 &&
-        !links_over_threshold(model_, method_.can, *state_).empty())
+    if (method_.can.tension_order >= 2 && cuts_left_ > 0 && !model_.breakable_links.empty() &&
+        !links_over_threshold(model_, method_.can, state()).empty())
       return cut_step(h, end_time, halvings, report);
-    if (ledger_.keeps_anything()) ledger_.record(*state_);
+    if (ledger_.keeps_anything()) ledger_.record(state());
     return report;
   }
   if (halvings == 0 || !method_.can.takes_steps_back) return report;
   const StepReport first_failure = report;
-  const State start = *state_;
+  const State start = state();
   const WorkLedger ledger = ledger_;
   report.halvings += 1;
   report_.deepest_halving = std::max(report_.deepest_halving, policy_.most_halvings - halvings + 1);
@@ -122,7 +120,6 @@ StepReport Run::guarded_step(double h, double end_time, int halvings) {
   if (report.status == StepStatus::done) report.add(guarded_step(0.5 * h, end_time, halvings - 1));
   if (report.status != StepStatus::done) {
     stepper_->load(start);
-    state_ = &stepper_->store();
     ledger_ = ledger;
     report.status = first_failure.status;
   }
@@ -140,7 +137,7 @@ void Run::note_halving(double begin, const StepReport& report) {
 // The step just made, made again as far as the first break in it, and the rest without what broke.
 StepReport Run::cut_step(double h, double end_time, int halvings, StepReport report) {
   --cuts_left_;
-  const State after = *state_;
+  const State after = state();
   stepper_->undo();
   const State start = stepper_->store();
   const WorkLedger ledger = ledger_;
@@ -148,14 +145,12 @@ StepReport Run::cut_step(double h, double end_time, int halvings, StepReport rep
   const double share = first.share < least_part ? 0.0 : first.share > 1.0 - least_part ? 1.0 : first.share;
   const double part = share * h, rest = h - part;
   if (part > 0.0) report.add(stepper_->step(part, rest > 0.0 ? end_time - rest : end_time));
-  state_ = &stepper_->store();
   if (report.status == StepStatus::done) {
     break_links(first.links, report);
     if (rest > 0.0) report.add(guarded_step(rest, end_time, halvings));
   }
   if (report.status != StepStatus::done) {
     stepper_->load(start);
-    state_ = &stepper_->store();
     ledger_ = ledger;
   }
   return report;
@@ -164,19 +159,18 @@ StepReport Run::cut_step(double h, double end_time, int halvings, StepReport rep
 // All of them at once, effective from the next step on.
 void Run::break_links(const std::vector<Index>& links, StepReport& report) {
   if (links.empty()) return;
-  if (ledger_.keeps_anything()) ledger_.record(*state_);
-  State broken = *state_;
+  if (ledger_.keeps_anything()) ledger_.record(state());
+  State broken = state();
   break_at_once(model_, broken, links);
   report.breaks += static_cast<std::int64_t>(links.size());
   stepper_->load(broken);
-  state_ = &stepper_->store();
-  if (ledger_.keeps_anything()) ledger_.record(*state_);
+  if (ledger_.keeps_anything()) ledger_.record(state());
 }
 
 double Run::energy_at_hand() const {
   const double mass = free_mass(model_), pin = work().fastest_pin;
   double energy = energy_base_.scale + mass * pin * pin + std::max(0.0, work().loads);
-  if (model_.wind) energy += mass * wind_at(*model_.wind, state_->time).squaredNorm();
+  if (model_.wind) energy += mass * wind_at(*model_.wind, state().time).squaredNorm();
   return energy;
 }
 
@@ -184,7 +178,7 @@ double Run::energy_at_hand() const {
 // a few passes leave stretched hold a lot of elastic energy while nothing is amiss.
 bool Run::holds_together() {
   const double at_hand = energy_at_hand();
-  if (at_hand > 0.0 && energy(model_, *state_).kinetic > policy_.diverged_beyond * at_hand)
+  if (at_hand > 0.0 && energy(model_, state()).kinetic > policy_.diverged_beyond * at_hand)
     report_.end = RunEnd::diverged;
   return !ended();
 }
@@ -193,12 +187,12 @@ std::optional<State> Run::at(double time, const StopTest& stop) {
   while (step_time(report_.steps) < time) {
     if (stop && stop()) return std::nullopt;
     // Copied only where it is needed: a copy of every step would cost as much as a cheap step itself.
-    if (step_time(report_.steps + 1) > time) before_ = *state_;
+    if (step_time(report_.steps + 1) > time) before_ = state();
     if (!step()) return std::nullopt;
   }
   if (!holds_together()) return std::nullopt;
-  if (state_->time == time) return *state_;
-  return interpolate(*before_, *state_, time, method_.can.between_steps);
+  if (state().time == time) return state();
+  return interpolate(*before_, state(), time, method_.can.between_steps);
 }
 
 std::string Run::failure() const {
@@ -208,15 +202,15 @@ std::string Run::failure() const {
         "the run with method {} at {} steps/s diverges: at t = {:.6g} s its masses move with {:.3g} times "
         "the "
         "scene's energy",
-        settings_.method, steps_per_second_, state_->time,
-        energy(model_, *state_).kinetic / energy_at_hand());
+        settings_.method, steps_per_second_, state().time,
+        energy(model_, state()).kinetic / energy_at_hand());
   std::string where;
   if (const Index link = report_.counts.worst_link; link != no_link)
     where = fmt::format(" at the link {} – {}", model_.masses.name[model_.links.a[link]],
                         model_.masses.name[model_.links.b[link]]);
   const bool halved = policy_.most_halvings > 0 && method_.can.takes_steps_back;
   return fmt::format("the step from t = {:.6g} s by {:.3g} s can't be solved with method {}: {}{}{}",
-                     state_->time, 1.0 / steps_per_second_, settings_.method, reason(report_.counts.status),
+                     state().time, 1.0 / steps_per_second_, settings_.method, reason(report_.counts.status),
                      where, halved ? ", even after halving it" : "");
 }
 
@@ -229,7 +223,7 @@ RunMeasures Run::measures(const State& state) const {
 }
 
 RunState Run::save() const {
-  return {*state_, report_, work()};
+  return {state(), report_, work()};
 }
 
 }  // namespace taut

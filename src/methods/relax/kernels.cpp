@@ -9,6 +9,8 @@
 
 #include "relax/kernels.h"
 
+#include <algorithm>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "relax/kernels.cpp"
 // Vectors of unknown size can't be held in a struct.
@@ -298,22 +300,81 @@ HWY_INLINE void relax_stretch(const LinkArrays<Real>& links, const LinkStretch& 
     relax_present<Real, weighted, false, false>(links, stretch, start, position);
 }
 
+// Masses one by one, whatever the width of vectors.
+template <class Real, bool velocities>
+HWY_INLINE void move_masses(const FreeMotion<Real>& motion, std::size_t begin, std::size_t end,
+                            Packed<Real>* next) {
+  const hn::CappedTag<Real, 4> tag;
+  const auto h = hn::Set(tag, motion.h), keep = hn::Set(tag, motion.keep);
+  [[maybe_unused]] const auto inverse_h = hn::Set(tag, motion.inverse_h),
+                              end_keep = hn::Set(tag, motion.end_keep);
+  const std::size_t lanes = hn::Lanes(tag);
+  for (std::size_t i = begin; i < end; ++i)
+    for (std::size_t k = 0; k < 4; k += lanes) {
+      const auto at = hn::Load(tag, &motion.present[i].x + k);
+      auto velocity = hn::Load(tag, &motion.previous[i].x + k);
+      if constexpr (!velocities) {
+        velocity = hn::Mul(hn::Sub(at, velocity), inverse_h);
+        velocity = hn::Add(hn::Mul(velocity, end_keep), hn::LoadU(tag, &motion.end_gain.x + k));
+      }
+      velocity = hn::Add(hn::Mul(velocity, keep), hn::LoadU(tag, &motion.gain.x + k));
+      hn::Store(hn::Add(at, hn::Mul(h, velocity)), tag, &next[i].x + k);
+    }
+}
+
 template <class Real>
-HWY_INLINE void relax_stretches(const LinkArrays<Real>& links, std::span<const LinkStretch> stretches,
-                                const Packed<Real>* start, Packed<Real>* position) {
-  for (const LinkStretch& stretch : stretches)
+HWY_INLINE void move_range(const FreeMotion<Real>& motion, std::size_t begin, std::size_t end,
+                           Packed<Real>* next) {
+  motion.velocities ? move_masses<Real, true>(motion, begin, end, next)
+                    : move_masses<Real, false>(motion, begin, end, next);
+}
+
+template <class Real>
+HWY_INLINE bool finite(const Packed<Real>* masses, std::size_t begin, std::size_t end) {
+  const hn::CappedTag<Real, 4> tag;
+  const auto zero = hn::Zero(tag);
+  auto sum = zero;
+  for (std::size_t i = begin; i < end; ++i)
+    for (std::size_t k = 0; k < 4; k += hn::Lanes(tag))
+      sum = hn::Add(sum, hn::Mul(zero, hn::Load(tag, &masses[i].x + k)));  // 0, or not a number for ever
+  return hn::AllTrue(tag, hn::Eq(sum, zero));
+}
+
+template <class Real>
+HWY_INLINE bool relax_stretches(const LinkArrays<Real>& links, std::span<const LinkStretch> stretches,
+                                const Packed<Real>* start, const FreeMotion<Real>* motion, std::size_t masses,
+                                bool last, Packed<Real>* position) {
+  std::size_t begun = 0, done = 0;
+  bool good = true;
+  const auto begin_until = [&](std::size_t end) HWY_ATTR {
+    if (motion != nullptr && end > begun) move_range(*motion, begun, end, position);
+    begun = std::max(begun, end);
+  };
+  const auto end_until = [&](std::size_t end) HWY_ATTR {
+    if (last && end > done) good = finite(position, done, end) && good;
+    done = std::max(done, end);
+  };
+  for (const LinkStretch& stretch : stretches) {
+    begin_until(stretch.begun);
     stretch.weighted ? relax_stretch<Real, true>(links, stretch, start, position)
                      : relax_stretch<Real, false>(links, stretch, start, position);
+    end_until(std::min(stretch.done, begun));
+  }
+  begin_until(masses);
+  end_until(masses);
+  return good;
 }
 
-void relax_doubles(const LinkArrays<double>& links, std::span<const LinkStretch> stretches,
-                   const Packed<double>* start, Packed<double>* position) {
-  relax_stretches<double>(links, stretches, start, position);
+bool relax_doubles(const LinkArrays<double>& links, std::span<const LinkStretch> stretches,
+                   const Packed<double>* start, const FreeMotion<double>* motion, std::size_t masses,
+                   bool last, Packed<double>* position) {
+  return relax_stretches<double>(links, stretches, start, motion, masses, last, position);
 }
 
-void relax_singles(const LinkArrays<float>& links, std::span<const LinkStretch> stretches,
-                   const Packed<float>* start, Packed<float>* position) {
-  relax_stretches<float>(links, stretches, start, position);
+bool relax_singles(const LinkArrays<float>& links, std::span<const LinkStretch> stretches,
+                   const Packed<float>* start, const FreeMotion<float>* motion, std::size_t masses, bool last,
+                   Packed<float>* position) {
+  return relax_stretches<float>(links, stretches, start, motion, masses, last, position);
 }
 
 template <bool weighted, bool judged>
@@ -394,15 +455,17 @@ HWY_EXPORT(relax_singles);
 HWY_EXPORT(relax_all_along);
 
 template <>
-void relax_along_present(const LinkArrays<double>& links, std::span<const LinkStretch> stretches,
-                         const Packed<double>* start, Packed<double>* position) {
-  HWY_DYNAMIC_DISPATCH(relax_doubles)(links, stretches, start, position);
+bool relax_along_present(const LinkArrays<double>& links, std::span<const LinkStretch> stretches,
+                         const Packed<double>* start, const FreeMotion<double>* motion, std::size_t masses,
+                         bool last, Packed<double>* position) {
+  return HWY_DYNAMIC_DISPATCH(relax_doubles)(links, stretches, start, motion, masses, last, position);
 }
 
 template <>
-void relax_along_present(const LinkArrays<float>& links, std::span<const LinkStretch> stretches,
-                         const Packed<float>* start, Packed<float>* position) {
-  HWY_DYNAMIC_DISPATCH(relax_singles)(links, stretches, start, position);
+bool relax_along_present(const LinkArrays<float>& links, std::span<const LinkStretch> stretches,
+                         const Packed<float>* start, const FreeMotion<float>* motion, std::size_t masses,
+                         bool last, Packed<float>* position) {
+  return HWY_DYNAMIC_DISPATCH(relax_singles)(links, stretches, start, motion, masses, last, position);
 }
 
 AlongFound relax_along_start(const LinkArrays<double>& links, std::span<const LinkStretch> stretches,

@@ -20,6 +20,23 @@ struct LinkStretch {
   bool weighted = false;    ///< unequal masses, or a pin
   bool soft = false;        ///< with compliance
   bool damped = false;      ///< and damping
+  /// Once the stretches until here, this one included, have been visited: the masses below `begun` are those
+  /// that they may have touched, and those below `done` no later one touches.
+  std::size_t begun = 0, done = 0;
+};
+
+/// How masses go on from where they are, before links are visited. They came there in a step that was
+/// 1/inverse_h long, from `previous`, and end_keep and end_gain are what that step ends with:
+///   v ← (x − previous) inverse_h end_keep + end_gain,  next = x + h (v keep + gain)
+/// Or `previous` holds the velocities themselves.
+template <class Real>
+struct FreeMotion {
+  const Packed<Real>* previous;
+  const Packed<Real>* present;
+  bool velocities;
+  Real inverse_h;  // 1/s
+  Real end_keep, keep, h;
+  Packed<Real> end_gain, gain;  // m/s
 };
 
 /// What a kernel reads and writes of the links, one array each; relaxation.h has the formulas.
@@ -39,10 +56,13 @@ struct LinkArrays {
   const Real* gamma;            // γ, of damped ones
 };
 
-/// One pass along the present directions over these stretches. `start` is read where links are damped.
+/// One pass along the present directions over these stretches. `start` is read where links are damped. With a
+/// `motion` the free masses, the first so many, come to `position` by it just ahead of the links that touch
+/// them. True when all of them are finite in the end; looked at only when `last`.
 template <class Real>
-void relax_along_present(const LinkArrays<Real>& links, std::span<const LinkStretch> stretches,
-                         const Packed<Real>* start, Packed<Real>* position);
+bool relax_along_present(const LinkArrays<Real>& links, std::span<const LinkStretch> stretches,
+                         const Packed<Real>* start, const FreeMotion<Real>* motion, std::size_t masses,
+                         bool last, Packed<Real>* position);
 
 /// What a pass along the directions at the start of the step found.
 struct AlongFound {

@@ -18,6 +18,12 @@ double common_weight(const Model& model) {
   return -1.0;
 }
 
+template <class Real>
+Packed<Real> packed(const Vectors& vectors, Index i) {
+  return {static_cast<Real>(vectors.x[i]), static_cast<Real>(vectors.y[i]), static_cast<Real>(vectors.z[i]),
+          Real(0)};
+}
+
 }  // namespace
 
 template <class Real>
@@ -33,15 +39,14 @@ void Relaxation<Real>::links_changed(const State& state) {
   masses_ = order.masses;
   place_.assign(model_.masses.size(), 0);
   for (std::size_t i = 0; i < masses_.size(); ++i) place_[masses_[i]] = static_cast<Index>(i);
-  start_.assign(masses_.size(), {});
+  room_.assign(masses_.size(), {});
   pin_ends_.clear();
   visited_.clear();
   special_.clear();
   stretches_.clear();
   arrays_ = {};
-  damped_ = false;
   for (const VisitOrder::Run& run : order.runs) add_run(run);
-  position_ = start_;
+  find_reach();
   arrays_.multiplier.assign(visited_.size(), Real(0));
   for (auto* values : {&arrays_.move_a, &arrays_.move_b, &arrays_.factor, &arrays_.scaled, &arrays_.gamma})
     values->assign(special_.size(), Real(0));
@@ -77,10 +82,10 @@ void Relaxation<Real>::add_stretch(const std::vector<Index>& links, LinkStretch 
   for (const Index link : links) add_link(link, stretch);
   if (const std::size_t over = visited_.size() % links_at_once<Real>; over != 0) {
     // Filled up with links between two masses of the stretch's own that are one metre apart and stay so.
-    const auto place = static_cast<Index>(start_.size());
-    start_.push_back({});
-    start_.push_back({});
-    start_.back().x = Real(1);
+    const auto place = static_cast<Index>(room_.size());
+    room_.push_back({});
+    room_.push_back({});
+    room_.back().x = Real(1);
     for (std::size_t i = over; i < links_at_once<Real>; ++i) {
       arrays_.a.push_back(place);
       arrays_.b.push_back(place + 1);
@@ -90,7 +95,6 @@ void Relaxation<Real>::add_stretch(const std::vector<Index>& links, LinkStretch 
     }
   }
   stretch.end = visited_.size();
-  damped_ = damped_ || stretch.damped;
   stretches_.push_back(stretch);
 }
 
@@ -106,10 +110,29 @@ void Relaxation<Real>::add_link(Index link, const LinkStretch& stretch) {
 template <class Real>
 Index Relaxation<Real>::place_of(Index mass) {
   if (!model_.masses.pinned(mass)) return place_[mass];
-  const auto place = static_cast<Index>(start_.size());
-  start_.push_back({});
+  const auto place = static_cast<Index>(room_.size());
+  room_.push_back({});
   pin_ends_.push_back({mass, place});
   return place;
+}
+
+// What each stretch, and those before and after it, may touch of the free masses.
+template <class Real>
+void Relaxation<Real>::find_reach() {
+  std::size_t begun = 0, done = masses_.size();
+  const auto visit_free = [&](const LinkStretch& stretch, const auto& visit) {
+    for (std::size_t slot = stretch.begin; slot < stretch.end; ++slot)
+      for (const std::size_t place : {arrays_.a[slot], arrays_.b[slot]})
+        if (place < masses_.size()) visit(place);
+  };
+  for (LinkStretch& stretch : stretches_) {
+    visit_free(stretch, [&](std::size_t place) { begun = std::max(begun, place + 1); });
+    stretch.begun = begun;
+  }
+  for (auto stretch = stretches_.rbegin(); stretch != stretches_.rend(); ++stretch) {
+    stretch->done = done;
+    visit_free(*stretch, [&](std::size_t place) { done = std::min(done, place); });
+  }
 }
 
 // What the formulas have of h, drag, weights and softness together.
@@ -144,35 +167,29 @@ LinkArrays<Real> Relaxation<Real>::arrays() {
 }
 
 template <class Real>
-void Relaxation<Real>::begin_step(Real h, Real answer, const Coordinates<const Real>& start,
-                                  const Coordinates<const Real>& position) {
+void Relaxation<Real>::begin_step(Real h, Real answer) {
   settle(h, answer);
   std::fill(arrays_.multiplier.begin(), arrays_.multiplier.end(), Real(0));
-  if (damped_) load(start, start_);
-  load(position, position_);
 }
 
 template <class Real>
-void Relaxation<Real>::pass() {
-  relax_along_present(arrays(), stretches_, start_.data(), position_.data());
+bool Relaxation<Real>::pass(const Masses& start, Masses& position, const FreeMotion<Real>* motion,
+                            bool last) {
+  return relax_along_present<Real>(arrays(), stretches_, start.data(), motion, masses_.size(), last,
+                                   position.data());
 }
 
 template <class Real>
-void Relaxation<Real>::begin_step_along(
-    const Coordinates<const Real>& start,
-    const Coordinates<const Real>& position) requires std::same_as<Real, double> {
-  settle(Real(1), Real(1));
-  std::fill(arrays_.multiplier.begin(), arrays_.multiplier.end(), Real(0));
-  load(start, start_);
-  load(position, position_);
+void Relaxation<Real>::begin_step_along(const Masses& start) requires std::same_as<Real, double> {
+  begin_step(1.0, 1.0);
   direction_.resize(visited_.size());
-  link_directions(arrays_.a.data(), arrays_.b.data(), visited_.size(), start_.data(), direction_.data());
+  link_directions(arrays_.a.data(), arrays_.b.data(), visited_.size(), start.data(), direction_.data());
 }
 
 template <class Real>
-AlongStart Relaxation<Real>::pass_along(bool judged) requires std::same_as<Real, double> {
+AlongStart Relaxation<Real>::pass_along(bool judged, Masses& position) requires std::same_as<Real, double> {
   const AlongFound found =
-      relax_along_start(arrays(), stretches_, direction_.data(), judged, position_.data());
+      relax_along_start(arrays(), stretches_, direction_.data(), judged, position.data());
   AlongStart result;
   result.worst = found.worst;
   if (found.lost != AlongFound::nowhere) {
@@ -183,28 +200,34 @@ AlongStart Relaxation<Real>::pass_along(bool judged) requires std::same_as<Real,
 }
 
 template <class Real>
-void Relaxation<Real>::load(const Coordinates<const Real>& from, std::vector<Packed<Real>>& to) const {
-  for (std::size_t i = 0; i < masses_.size(); ++i) {
-    const Index mass = masses_[i];
-    to[i] = {from.x[mass], from.y[mass], from.z[mass], Real(0)};
-  }
-  for (const PinEnd& end : pin_ends_)
-    to[end.place] = {from.x[end.mass], from.y[end.mass], from.z[end.mass], Real(0)};
+void Relaxation<Real>::load(const Vectors& from, Masses& to) const {
+  for (std::size_t i = 0; i < masses_.size(); ++i) to[i] = packed<Real>(from, masses_[i]);
+  load_pins(from, to);
 }
 
 template <class Real>
-void Relaxation<Real>::give(const Coordinates<Real>& position) const {
+void Relaxation<Real>::load_pins(const Vectors& from, Masses& to) const {
+  for (const PinEnd& end : pin_ends_) to[end.place] = packed<Real>(from, end.mass);
+}
+
+template <class Real>
+void Relaxation<Real>::give(const Masses& from, Vectors& to) const {
   for (std::size_t i = 0; i < masses_.size(); ++i) {
     const Index mass = masses_[i];
-    position.x[mass] = position_[i].x;
-    position.y[mass] = position_[i].y;
-    position.z[mass] = position_[i].z;
+    to.x[mass] = static_cast<double>(from[i].x);
+    to.y[mass] = static_cast<double>(from[i].y);
+    to.z[mass] = static_cast<double>(from[i].z);
   }
 }
 
 template <class Real>
-void Relaxation<Real>::take(const Coordinates<const Real>& position) {
-  load(position, position_);
+void Relaxation<Real>::give_difference(const Masses& a, const Masses& b, Real factor, Vectors& to) const {
+  for (std::size_t i = 0; i < masses_.size(); ++i) {
+    const Index mass = masses_[i];
+    to.x[mass] = static_cast<double>((b[i].x - a[i].x) * factor);
+    to.y[mass] = static_cast<double>((b[i].y - a[i].y) * factor);
+    to.z[mass] = static_cast<double>((b[i].z - a[i].z) * factor);
+  }
 }
 
 template <class Real>

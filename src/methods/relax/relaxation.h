@@ -12,19 +12,6 @@
 
 namespace taut {
 
-/// Where many three-vectors begin, coordinate by coordinate.
-template <class Real>
-struct Coordinates {
-  Real *x, *y, *z;
-};
-
-inline Coordinates<double> coordinates(Vectors& vectors) {
-  return {vectors.x.data(), vectors.y.data(), vectors.z.data()};
-}
-inline Coordinates<const double> coordinates(const Vectors& vectors) {
-  return {vectors.x.data(), vectors.y.data(), vectors.z.data()};
-}
-
 /// What a pass along the directions at the start of a step found.
 struct AlongStart {
   double worst = 0.0;         ///< largest ||d|² − l²|/l² that it met; 0 unless asked for
@@ -33,12 +20,13 @@ struct AlongStart {
   bool lost() const { return lost_link != no_link; }
 };
 
-/// The links that a relaxation pass visits, as data in the order of the visits (visit_order.h), and the
-/// masses as the kernels want them: what xpbd (Real: double or float), verlet and shake have in common. Every
-/// function of a pass is to be called between the beginning of a step and the next one.
+/// The links that a relaxation pass visits, as data in the order of the visits (visit_order.h), and where the
+/// masses lie that it moves: what xpbd (Real: double or float), verlet and shake have in common.
 template <class Real>
 class Relaxation {
  public:
+  using Masses = std::vector<Packed<Real>>;
+
   /// Whether links with stiffness are visited, too.
   enum class Visits { all, rigid };
 
@@ -51,31 +39,37 @@ class Relaxation {
   const std::vector<Index>& links() const { return links_; }
   std::int64_t size() const { return static_cast<std::int64_t>(links_.size()); }
 
+  /// Room for three-vectors of the masses as passes want them: the free ones first, in an order of their own,
+  /// then what else there is.
+  Masses room() const { return room_; }
+  std::size_t free_masses() const { return masses_.size(); }
+  /// Vectors, one a mass of the model, rounded into such room, and those of the free masses back.
+  void load(const Vectors& from, Masses& to) const;
+  void load_pins(const Vectors& from, Masses& to) const;
+  void give(const Masses& from, Vectors& to) const;
+  /// to = (b − a)·factor, of the free masses.
+  void give_difference(const Masses& a, const Masses& b, Real factor, Vectors& to) const;
+
   /// Begins a step of h seconds: no multiplier yet. `answer` is what a mass moves by beside its inverse mass:
-  /// 1/(1 + h·drag) where drag is implicit in all forces. `start` holds the positions at its start,
-  /// `position` those that a pass is to move.
-  void begin_step(Real h, Real answer, const Coordinates<const Real>& start,
-                  const Coordinates<const Real>& position);
+  /// 1/(1 + h·drag) where drag is implicit in all forces.
+  void begin_step(Real h, Real answer);
 
   /// One pass along the present directions d = x_a − x_b, n = d/|d|, for each link (XPBD, 2016, eq. 18 and
   /// 26):
   ///   Δλ = (l − |d| − α̃ λ − γ n·(d − d₀)) / ((1 + γ) w + α̃),  w = answer (w_a + w_b)
   ///   x_a ← x_a + answer w_a Δλ n,  x_b ← x_b − answer w_b Δλ n,  λ ← λ + Δλ
-  /// with α̃ = α/h², γ = α c/h of its compliance and damping; d₀ is d at the start of the step.
-  void pass();
+  /// with α̃ = α/h², γ = α c/h of its compliance and damping; d₀ is d at `start`, the step's. `motion`, `last`
+  /// and the result: as relax_along_present() has it.
+  bool pass(const Masses& start, Masses& position, const FreeMotion<Real>* motion = nullptr,
+            bool last = false);
 
   /// Begins a step of rigid links alone, along their directions d₀ at its start.
-  void begin_step_along(const Coordinates<const Real>& start,
-                        const Coordinates<const Real>& position) requires std::same_as<Real, double>;
+  void begin_step_along(const Masses& start) requires std::same_as<Real, double>;
 
   /// One pass along those directions (SHAKE):
   ///   q = (|d|² − l²) / (2 (w_a + w_b) d·d₀),  x_a ← x_a − w_a q d₀,  x_b ← x_b + w_b q d₀,  λ ← λ + q
   /// `judged`: the result says how good lengths were.
-  AlongStart pass_along(bool judged) requires std::same_as<Real, double>;
-
-  /// The positions of the free masses that the passes have come to, and others to go on from.
-  void give(const Coordinates<Real>& position) const;
-  void take(const Coordinates<const Real>& position);
+  AlongStart pass_along(bool judged, Masses& position) requires std::same_as<Real, double>;
 
   /// values[link] = scale·λ, with the sum λ over the passes of the step.
   void give_multipliers(double scale, std::vector<double>& values) const;
@@ -95,8 +89,8 @@ class Relaxation {
   void add_stretch(const std::vector<Index>& links, LinkStretch stretch);
   void add_link(Index link, const LinkStretch& stretch);
   Index place_of(Index mass);
+  void find_reach();
   void settle(Real h, Real answer);
-  void load(const Coordinates<const Real>& from, std::vector<Packed<Real>>& to) const;
   LinkArrays<Real> arrays();
 
   const Model& model_;
@@ -106,13 +100,13 @@ class Relaxation {
   std::vector<Index> masses_;     // the free ones, by place
   std::vector<Index> place_;      // of each free mass
   std::vector<PinEnd> pin_ends_;  // a place for each link that ends in a pin: no two write to one
-  std::vector<Index> visited_;    // link by slot; no_link where a stretch is filled up
-  std::vector<Index> special_;    // link by special place, the same
+  Masses room_;
+  std::vector<Index> visited_;  // link by slot; no_link where a stretch is filled up
+  std::vector<Index> special_;  // link by special place, the same
   std::vector<LinkStretch> stretches_;
   Arrays arrays_;
-  bool damped_ = false;
   Real settled_h_ = 0, settled_answer_ = 0;  // what the arrays of special links hold for
-  std::vector<Packed<Real>> start_, position_, direction_;
+  Masses direction_;
 };
 
 extern template class Relaxation<double>;

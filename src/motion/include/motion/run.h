@@ -49,7 +49,7 @@ class Run {
   bool holds_together();
 
   /// Where the steps so far have come to: the last good state, where the run has ended.
-  const State& state() const { return *state_; }
+  const State& state() const { return stepper_->store(); }
   const Settings& settings() const { return settings_; }
   std::int64_t steps() const { return report_.steps; }
   bool ended() const { return report_.end != RunEnd::none; }
@@ -84,10 +84,9 @@ class Run {
   double steps_per_second_, start_time_;
   EnergyBase energy_base_;
   std::unique_ptr<Stepper> stepper_;
-  const State* state_;  // the stepper's
   WorkLedger ledger_;
   std::unique_ptr<EnergyGuard> guard_;  // none where nothing is watched
-  std::optional<State> before_;         // the step before state_, where a time in between was asked for
+  std::optional<State> before_;         // the step before the last, where a time in between was asked for
   RunReport report_;
   int cuts_left_ = 0;  // of the present step, at breaks
 };

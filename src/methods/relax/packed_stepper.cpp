@@ -1,0 +1,126 @@
+// A mass is where it is and where it was before: velocities are the difference of the two, worked out when a
+// step begins, so that a step goes over the masses once, just ahead of the links. The kick at the end of a
+// step with half kicks is made there, too. The first step after load() has velocities instead.
+
+#include "relax/packed_stepper.h"
+
+#include <utility>
+
+#include "forces/forces.h"
+#include "relax/relaxation.h"
+
+namespace taut {
+namespace {
+
+template <class Real>
+Packed<Real> packed_gain(const Vec3& gain) {
+  return {static_cast<Real>(gain.x()), static_cast<Real>(gain.y()), static_cast<Real>(gain.z()), Real(0)};
+}
+
+template <class Real>
+class PackedStepper final : public Stepper {
+ public:
+  PackedStepper(const Model& model, int passes, Kicks kicks)
+      : model_(model), passes_(passes), kicks_(kicks), links_(model) {}
+
+  void load(const State& state) override {
+    const bool changed = !loaded_ || state.broken_at != state_.broken_at;
+    state_ = state;
+    loaded_ = true;
+    if (changed) {
+      links_.links_changed(state_);
+      previous_ = present_ = next_ = links_.room();
+    }
+    links_.load(state_.velocity, previous_);
+    links_.load(state_.position, present_);
+    links_.load(state_.position, next_);
+    velocities_ = true;
+    behind_ = false;
+  }
+
+  StepReport step(double h, double end_time) override {
+    const bool whole = kicks_ == Kicks::whole;
+    FreeMotion<Real> motion{previous_.data(), present_.data(), velocities_, {}, Real(1), {}, {}, {}, {}};
+    motion.inverse_h = static_cast<Real>(1.0 / last_h_);
+    motion.h = static_cast<Real>(h);
+    set_kick(whole ? h : 0.5 * h, motion.keep, motion.gain);
+    if (!whole && !velocities_) set_kick(0.5 * last_h_, motion.end_keep, motion.end_gain);
+    const double start_time = state_.time;
+    place_pins(model_, end_time, state_.position, state_.velocity);
+    links_.load_pins(state_.position, next_);
+    links_.begin_step(motion.h, static_cast<Real>(whole ? 1.0 / (1.0 + h * model_.drag) : 1.0));
+    StepReport report;
+    bool finite = true;
+    for (int made = 0; made < passes_; ++made)
+      finite = links_.pass(present_, next_, made == 0 ? &motion : nullptr, made == passes_ - 1);
+    report.rounds = passes_;
+    report.link_solves = links_.size() * passes_;
+    if (!finite) {
+      place_pins(model_, start_time, state_.position, state_.velocity);
+      report.status = StepStatus::not_finite;
+      return report;
+    }
+    std::swap(previous_, present_);
+    std::swap(present_, next_);
+    kick_before_ = state_.unanswered_kick;
+    if (!whole) state_.unanswered_kick = 0.5 * h;
+    state_.time = end_time;
+    last_h_ = h;
+    velocities_ = false;
+    behind_ = true;
+    return report;
+  }
+
+  void undo() override {}
+
+  const State& store() override {
+    if (!behind_) return state_;
+    behind_ = false;
+    links_.give(present_, state_.position);
+    links_.give_difference(previous_, present_, static_cast<Real>(1.0 / last_h_), state_.velocity);
+    double answered = last_h_;
+    if (kicks_ == Kicks::halves) {
+      kick(model_, state_.time, 0.5 * last_h_, state_.velocity, state_.velocity);
+      place_pins(model_, state_.time, state_.position, state_.velocity);
+      answered = kick_before_ + 0.5 * last_h_;
+    }
+    links_.give_multipliers(-1.0 / (last_h_ * answered), state_.tension);
+    return state_;
+  }
+
+ private:
+  // What gravity and drag make of a velocity in a kick of so many seconds: kick() without loads.
+  void set_kick(double seconds, Real& keep, Packed<Real>& gain) const {
+    const double answer = 1.0 / (1.0 + seconds * model_.drag);
+    keep = static_cast<Real>(answer);
+    gain = packed_gain<Real>(model_.gravity * (seconds * answer));
+  }
+
+  const Model& model_;
+  int passes_;
+  Kicks kicks_;
+  Relaxation<Real> links_;
+  State state_;  // of pins always, of all else where it isn't behind
+  bool loaded_ = false, behind_ = false;
+  typename Relaxation<Real>::Masses previous_, present_,
+      next_;                                 // the free masses before, now, and being made
+  bool velocities_ = false;                  // previous_ has them
+  double last_h_ = 1.0, kick_before_ = 0.0;  // s
+};
+
+}  // namespace
+
+bool only_links(const Model& model) {
+  return model.limits.empty() && model.joints.empty() && model.contacts.empty() && model.loads.empty() &&
+         !model.wind;
+}
+
+template <class Real>
+std::unique_ptr<Stepper> make_packed_stepper(const Model& model, int passes, Kicks kicks) {
+  return std::make_unique<PackedStepper<Real>>(model, passes, kicks);
+}
+
+template std::unique_ptr<Stepper> make_packed_stepper<double>(const Model&, int, Kicks);
+template std::unique_ptr<Stepper> make_packed_stepper<float>(const Model&, int, Kicks);
+
+}  // namespace taut

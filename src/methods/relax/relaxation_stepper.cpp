@@ -1,0 +1,113 @@
+#include "relax/relaxation_stepper.h"
+
+#include <utility>
+
+#include "contact/joint_resistance.h"
+#include "contact/limits_and_contacts.h"
+#include "file_order_stepper.h"
+#include "forces/forces.h"
+#include "relax/packed_stepper.h"
+#include "relax/pass_control.h"
+#include "relax/relaxation.h"
+
+namespace taut {
+namespace {
+
+template <class Real>
+class RelaxationStepper final : public FileOrderStepper {
+ public:
+  RelaxationStepper(const Model& model, PassCounts passes, Kicks kicks)
+      : model_(model),
+        kicks_(kicks),
+        passes_(model, passes),
+        links_(model),
+        limits_and_contacts_(model),
+        joints_(model) {}
+
+ private:
+  void links_changed(const State& state) override {
+    links_.links_changed(state);
+    passes_.links_changed(links_.links());
+    packed_start_ = packed_ = links_.room();
+  }
+
+  StepReport make_step(State& state, double h, double end_time) override {
+    const double start_time = state.time;
+    const bool whole = kicks_ == Kicks::whole;
+    start_ = state.position;
+    velocity_ = state.velocity;
+    if (whole)
+      kick(model_, end_time, h, state.velocity, velocity_);
+    else
+      kick(model_, start_time, 0.5 * h, state.velocity, velocity_);
+    blow(model_, state, state.position, state.velocity, end_time, h, velocity_);
+    joints_.act(state, h, 1.0, velocity_);
+    drift(h, start_, velocity_, state.position);
+    place_pins(model_, end_time, state.position, velocity_);
+    StepReport report;
+    relax(h, whole ? 1.0 / (1.0 + h * model_.drag) : 1.0, state, report);
+    difference_quotient(h, start_, state.position, velocity_);
+    limits_and_contacts_.rebound(h, velocity_);
+    if (!whole) kick(model_, end_time, 0.5 * h, velocity_, velocity_);
+    place_pins(model_, end_time, state.position, velocity_);
+    std::swap(state.velocity, velocity_);
+    state.time = end_time;
+    if (!all_finite(state)) {
+      std::swap(state.position, start_);
+      std::swap(state.velocity, velocity_);
+      state.time = start_time;
+      report.status = StepStatus::not_finite;
+      return report;
+    }
+    limits_and_contacts_.keep(state);
+    joints_.keep(start_, state);
+    links_.give_multipliers(-1.0 / (h * (whole ? h : state.unanswered_kick + 0.5 * h)), state.tension);
+    if (!whole) state.unanswered_kick = 0.5 * h;
+    return report;
+  }
+
+  void relax(double h, double answer, State& state, StepReport& report) {
+    links_.begin_step(static_cast<Real>(h), static_cast<Real>(answer));
+    links_.load(start_, packed_start_);
+    links_.load(state.position, packed_);
+    limits_and_contacts_.begin_step(start_, state);
+    int made = 0;
+    for (; passes_.another(made, limits_and_contacts_.may_jump(), start_, state.position, h); ++made) {
+      links_.pass(packed_start_, packed_);
+      if (limits_and_contacts_.none()) continue;
+      links_.give(packed_, state.position);
+      limits_and_contacts_.solve(h, answer, state.position);
+      links_.load(state.position, packed_);
+    }
+    links_.give(packed_, state.position);
+    report.rounds = made;
+    report.link_solves = (links_.size() + limits_and_contacts_.size()) * made;
+  }
+
+  const Model& model_;
+  Kicks kicks_;
+  PassControl passes_;
+  Relaxation<Real> links_;
+  LimitsAndContacts limits_and_contacts_;
+  JointResistance joints_;
+  Vectors start_, velocity_;
+  typename Relaxation<Real>::Masses packed_start_, packed_;
+};
+
+template <class Real>
+std::unique_ptr<Stepper> make(const Model& model, PassCounts passes, Kicks kicks) {
+  if (only_links(model)) return make_packed_stepper<Real>(model, passes.ordinary, kicks);
+  return std::make_unique<RelaxationStepper<Real>>(model, passes, kicks);
+}
+
+}  // namespace
+
+std::unique_ptr<Stepper> make_relaxation_stepper(const Model& model, PassCounts passes, Kicks kicks) {
+  return make<double>(model, passes, kicks);
+}
+
+std::unique_ptr<Stepper> make_single_relaxation_stepper(const Model& model, PassCounts passes, Kicks kicks) {
+  return make<float>(model, passes, kicks);
+}
+
+}  // namespace taut
