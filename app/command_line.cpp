@@ -82,11 +82,17 @@ void CommandLine::footer(const std::string& text) {
   program_->footer(text);
 }
 
-int CommandLine::run(int argument_count, char** arguments) {
+void CommandLine::add_everywhere(const std::string& names, const std::string& variable, std::string& value,
+                                 const std::string& help) {
+  for (CLI::App* verb : program_->get_subcommands({}))
+    verb->add_option(names, value, help)->envname(variable);
+}
+
+Action CommandLine::parse(int argument_count, char** arguments) {
   try {
     program_->parse(argument_count, arguments);
   } catch (const CLI::Success& help) {
-    return program_->exit(help);
+    return [status = program_->exit(help)] { return status; };
   } catch (const CLI::ParseError& error) {
     throw BadRequest(usage_problem(misuse(*program_, error)));
   }
@@ -96,7 +102,7 @@ int CommandLine::run(int argument_count, char** arguments) {
     for (const Verb& verb : verbs_)
       if (&verb.parser() == used) action = &verb.action();
   if (action == nullptr) throw BadRequest("say what to do: taut VERB …\nSee taut --help.");
-  return (*action)();
+  return *action;
 }
 
 }  // namespace taut

@@ -68,9 +68,12 @@ class CommandLine {
 
   Verb* add_subcommand(const std::string& name, const std::string& help);
   void footer(const std::string& text);
-  /// Carries out what the arguments ask for, or prints help or version, and gives the exit status. Throws
-  /// BadRequest where they make no sense.
-  int run(int argument_count, char** arguments);
+  /// An option that every verb has that was added before; without it, an environment variable gives its value.
+  void add_everywhere(const std::string& names, const std::string& variable, std::string& value,
+                      const std::string& help);
+  /// What the arguments ask for; help and version are printed at once. Throws BadRequest where they make no
+  /// sense.
+  Action parse(int argument_count, char** arguments);
 
  private:
   std::unique_ptr<CLI::App> program_;

@@ -1,13 +1,16 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string>
 
 #include "base/failure.h"
 #include "command_line.h"
 #include "exit_status.h"
 #include "host/build_info.h"
+#include "methods/simd.h"
 #include "verbs.h"
 
 namespace taut {
@@ -47,7 +50,16 @@ int run(int argument_count, char** arguments) {
   add_sag(program);
   add_stability(program);
   add_list(program);
-  return carry_out([&] { return program.run(argument_count, arguments); });
+  std::string simd;
+  program.add_everywhere(
+      "--simd", "TAUT_SIMD", simd,
+      fmt::format("Use these vector instructions instead of the best, which changes no result: {}",
+                  fmt::join(simd_targets(), ", ")));
+  return carry_out([&] {
+    const Action action = program.parse(argument_count, arguments);
+    force_simd(simd);
+    return action();
+  });
 }
 
 }  // namespace

@@ -126,7 +126,7 @@ class ShakeStepper final : public SwappingStepper {
     relaxation_.load(position_, packed_);
     const bool judged = tolerance_ > 0.0;
     for (int made = 0; passes_.another(made, limits_.pushed(), start, position_, h); ++made) {
-      const AlongStart found = relaxation_.pass_along(judged, packed_);
+      const AlongStart found = relaxation_.pass_along(made == 0, judged, packed_);
       if (found.lost()) {
         report.status = std::isfinite(found.lost_along) ? StepStatus::direction_lost : StepStatus::not_finite;
         report.worst_link = found.lost_link;

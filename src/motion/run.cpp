@@ -66,6 +66,7 @@ Run::Run(const Model& model, const State& start, const Settings& settings, const
   if (policy.watch_energy && method_.can.takes_steps_back && has_rigid_links(model))
     guard_ = std::make_unique<EnergyGuard>(model, start);
   stepper_->load(saved.state);
+  stepper_->watch(ledger_.watched());
 }
 
 Run::~Run() = default;
@@ -107,7 +108,7 @@ StepReport Run::guarded_step(double h, double end_time, int halvings) {
     if (method_.can.tension_order >= 2 && cuts_left_ > 0 && !model_.breakable_links.empty() &&
         !links_over_threshold(model_, method_.can, state()).empty())
       return cut_step(h, end_time, halvings, report);
-    if (ledger_.keeps_anything()) ledger_.record(state());
+    if (ledger_.keeps_anything()) ledger_.record(stepper_->glimpse());
     return report;
   }
   if (halvings == 0 || !method_.can.takes_steps_back) return report;

@@ -19,6 +19,19 @@ WorkLedger::WorkLedger(const Model& model, const State& state, const Work& befor
   look(state);
 }
 
+Watched WorkLedger::watched() const {
+  Watched watched;
+  for (const DrivenPin& pin : model_->driven_pins) watched.masses.push_back(pin.mass);
+  for (const PinLink& link : pin_links_) {
+    watched.masses.push_back(link.pin);
+    watched.masses.push_back(link.other);
+    watched.links.push_back(link.link);
+  }
+  for (const Load& load : model_->loads)
+    watched.masses.insert(watched.masses.end(), load.masses.begin(), load.masses.end());
+  return watched;
+}
+
 Vec3 WorkLedger::pull_of(const PinLink& pin_link, const State& state) const {
   if (state.broken(pin_link.link)) return Vec3::Zero();
   const Vec3 towards_pin = state.position.at(pin_link.pin) - state.position.at(pin_link.other);

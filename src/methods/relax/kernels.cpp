@@ -19,6 +19,10 @@
 // After it, as it asks.
 #include <hwy/highway.h>
 
+// A lambda that is part of the loop it stands in.
+#undef TAUT_INLINED
+#define TAUT_INLINED HWY_ATTR __attribute__((always_inline))
+
 HWY_BEFORE_NAMESPACE();
 namespace taut::HWY_NAMESPACE {
 
@@ -29,6 +33,26 @@ template <class V>
 struct Transposed {
   V x, y, z;
 };
+
+// Where the masses of a vector's links lie: anywhere, …
+struct Scattered {
+  const std::uint32_t* offset;
+  HWY_INLINE std::size_t operator()(std::size_t i) const { return offset[i]; }
+};
+// … or at equal distances.
+struct Strided {
+  std::size_t first, stride;
+  HWY_INLINE std::size_t operator()(std::size_t i) const { return first + i * stride; }
+};
+
+template <class Real>
+HWY_INLINE Packed<Real>& at_offset(Packed<Real>* masses, std::size_t offset) {
+  return *reinterpret_cast<Packed<Real>*>(reinterpret_cast<char*>(masses) + offset);
+}
+template <class Real>
+HWY_INLINE const Packed<Real>& at_offset(const Packed<Real>* masses, std::size_t offset) {
+  return *reinterpret_cast<const Packed<Real>*>(reinterpret_cast<const char*>(masses) + offset);
+}
 
 template <class Real>
 struct Lanes;
@@ -43,14 +67,17 @@ struct Lanes {
   using Rows = Transposed<V>;
   static constexpr std::size_t count = 1;
 
-  static HWY_INLINE Rows load_next(const Packed<Real>* vectors) {
-    return {hn::Load(Tag(), &vectors->x), hn::Load(Tag(), &vectors->y), hn::Load(Tag(), &vectors->z)};
+  template <class Places>
+  static HWY_INLINE Rows load(const Packed<Real>* masses, const Places& at) {
+    const Packed<Real>& mass = at_offset(masses, at(0));
+    return {hn::Load(Tag(), &mass.x), hn::Load(Tag(), &mass.y), hn::Load(Tag(), &mass.z)};
   }
-  static HWY_INLINE Rows load(const Packed<Real>* masses, const Index* at) { return load_next(masses + *at); }
-  static HWY_INLINE void store(const Rows& rows, Packed<Real>* masses, const Index* at) {
-    hn::Store(rows.x, Tag(), &masses[*at].x);
-    hn::Store(rows.y, Tag(), &masses[*at].y);
-    hn::Store(rows.z, Tag(), &masses[*at].z);
+  template <class Places>
+  static HWY_INLINE void store(const Rows& rows, Packed<Real>* masses, const Places& at) {
+    Packed<Real>& mass = at_offset(masses, at(0));
+    hn::Store(rows.x, Tag(), &mass.x);
+    hn::Store(rows.y, Tag(), &mass.y);
+    hn::Store(rows.z, Tag(), &mass.z);
   }
   static HWY_INLINE Rows minus(const Rows& a, const Rows& b) {
     return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
@@ -87,16 +114,14 @@ struct Lanes<double> {
   };
   static constexpr std::size_t count = 4;
 
-  static HWY_INLINE Rows load(const Packed<double>* masses, const Index* at) {
-    const auto one = [&](std::size_t i) HWY_ATTR { return hn::Load(Tag(), &masses[at[i]].x); };
+  template <class Places>
+  static HWY_INLINE Rows load(const Packed<double>* masses, const Places& at) {
+    const auto one = [&](std::size_t i) TAUT_INLINED { return hn::Load(Tag(), &at_offset(masses, at(i)).x); };
     return {{one(0), one(1), one(2), one(3)}};
   }
-  static HWY_INLINE Rows load_next(const Packed<double>* vectors) {
-    const auto one = [&](std::size_t i) HWY_ATTR { return hn::Load(Tag(), &vectors[i].x); };
-    return {{one(0), one(1), one(2), one(3)}};
-  }
-  static HWY_INLINE void store(const Rows& rows, Packed<double>* masses, const Index* at) {
-    for (std::size_t i = 0; i < 4; ++i) hn::Store(rows.link[i], Tag(), &masses[at[i]].x);
+  template <class Places>
+  static HWY_INLINE void store(const Rows& rows, Packed<double>* masses, const Places& at) {
+    for (std::size_t i = 0; i < 4; ++i) hn::Store(rows.link[i], Tag(), &at_offset(masses, at(i)).x);
   }
   static HWY_INLINE Rows minus(const Rows& a, const Rows& b) {
     return {{hn::Sub(a.link[0], b.link[0]), hn::Sub(a.link[1], b.link[1]), hn::Sub(a.link[2], b.link[2]),
@@ -136,18 +161,17 @@ struct Lanes<double> {
   };
   static constexpr std::size_t count = 2;
 
-  static HWY_INLINE Rows load(const Packed<double>* masses, const Index* at) {
-    return {{hn::Load(Tag(), &masses[at[0]].x), hn::Load(Tag(), &masses[at[1]].x)},
-            {hn::Load(Tag(), &masses[at[0]].z), hn::Load(Tag(), &masses[at[1]].z)}};
+  template <class Places>
+  static HWY_INLINE Rows load(const Packed<double>* masses, const Places& at) {
+    const Packed<double>&first = at_offset(masses, at(0)), &second = at_offset(masses, at(1));
+    return {{hn::Load(Tag(), &first.x), hn::Load(Tag(), &second.x)},
+            {hn::Load(Tag(), &first.z), hn::Load(Tag(), &second.z)}};
   }
-  static HWY_INLINE Rows load_next(const Packed<double>* vectors) {
-    return {{hn::Load(Tag(), &vectors[0].x), hn::Load(Tag(), &vectors[1].x)},
-            {hn::Load(Tag(), &vectors[0].z), hn::Load(Tag(), &vectors[1].z)}};
-  }
-  static HWY_INLINE void store(const Rows& rows, Packed<double>* masses, const Index* at) {
+  template <class Places>
+  static HWY_INLINE void store(const Rows& rows, Packed<double>* masses, const Places& at) {
     for (std::size_t i = 0; i < 2; ++i) {
-      hn::Store(rows.xy[i], Tag(), &masses[at[i]].x);
-      hn::Store(rows.z[i], Tag(), &masses[at[i]].z);
+      hn::Store(rows.xy[i], Tag(), &at_offset(masses, at(i)).x);
+      hn::Store(rows.z[i], Tag(), &at_offset(masses, at(i)).z);
     }
   }
   static HWY_INLINE Rows minus(const Rows& a, const Rows& b) {
@@ -190,18 +214,21 @@ struct Lanes<float> {
     return hn::Load(Mass(), &low.x);
 #endif
   }
-  static HWY_INLINE Rows load(const Packed<float>* masses, const Index* at) {
-    const auto one = [&](std::size_t i)
-                         HWY_ATTR { return load_row(masses[at[i]], masses[at[(i + 4) % count]]); };
+  template <class Places>
+  static HWY_INLINE Rows load(const Packed<float>* masses, const Places& at) {
+    const auto one = [&](std::size_t i) TAUT_INLINED {
+      return load_row(at_offset(masses, at(i)), at_offset(masses, at((i + 4) % count)));
+    };
     return {{one(0), one(1), one(2), one(3)}};
   }
-  static HWY_INLINE void store(const Rows& rows, Packed<float>* masses, const Index* at) {
+  template <class Places>
+  static HWY_INLINE void store(const Rows& rows, Packed<float>* masses, const Places& at) {
     for (std::size_t i = 0; i < 4; ++i) {
 #if HWY_MAX_BYTES >= 32
-      hn::Store(hn::LowerHalf(rows.link[i]), Mass(), &masses[at[i]].x);
-      hn::Store(hn::UpperHalf(Mass(), rows.link[i]), Mass(), &masses[at[i + 4]].x);
+      hn::Store(hn::LowerHalf(rows.link[i]), Mass(), &at_offset(masses, at(i)).x);
+      hn::Store(hn::UpperHalf(Mass(), rows.link[i]), Mass(), &at_offset(masses, at(i + 4)).x);
 #else
-      hn::Store(rows.link[i], Mass(), &masses[at[i]].x);
+      hn::Store(rows.link[i], Mass(), &at_offset(masses, at(i)).x);
 #endif
     }
   }
@@ -241,69 +268,134 @@ HWY_INLINE V dot(const Transposed<V>& a, const Transposed<V>& b) {
   return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
 }
 
-template <class Real, bool weighted, bool soft, bool damped>
-HWY_NOINLINE void relax_present(const LinkArrays<Real>& links, const LinkStretch& stretch,
+// The ends of the links of a stretch.
+template <class Real, bool strided>
+struct Ends {
+  const std::uint32_t* offsets;
+  std::size_t begin, stride;
+
+  HWY_INLINE Ends(const std::uint32_t* all, const LinkStretch& stretch)
+      : offsets(all + stretch.ends), begin(stretch.begin), stride(stretch.stride) {}
+  HWY_INLINE auto at(std::size_t slot) const {
+    const std::size_t link = slot - begin;
+    if constexpr (strided)
+      return Strided{offsets[link / links_at_once<Real>] + link % links_at_once<Real> * stride, stride};
+    else
+      return Scattered{offsets + link};
+  }
+};
+
+// What a link's masses move by, in shares of a row.
+template <class Real>
+struct Moves {
+  typename Lanes<Real>::V a, b;
+};
+
+// Moves masses of links along these rows: a's, from on_a, that way, and b's the other.
+template <class Real, bool weighted, class Places>
+HWY_INLINE void move_links(const Moves<Real>& moves, const typename Lanes<Real>::Rows& along,
+                           const typename Lanes<Real>::Rows& on_a, const typename Lanes<Real>::Rows& on_b,
+                           const Places& at_a, const Places& at_b, Packed<Real>* position) {
+  using L = Lanes<Real>;
+  const auto by_a = L::scaled(moves.a, along);
+  L::store(L::plus(on_a, by_a), position, at_a);
+  if constexpr (weighted)
+    L::store(L::minus(on_b, L::scaled(moves.b, along)), position, at_b);
+  else
+    L::store(L::minus(on_b, by_a), position, at_b);
+}
+
+// Roots and quotients take long, so those of a group of links are begun before the group ahead of it is
+// moved. As the two share no mass, that changes nothing.
+template <class Correct, class Move>
+HWY_INLINE void for_each_group(std::size_t begin, std::size_t end, std::size_t count, const Correct& correct,
+                               const Move& move) {
+  auto moves = correct(begin);
+  for (std::size_t next = begin + count; next < end; next += count) {
+    const auto next_moves = correct(next);
+    move(next - count, moves);
+    moves = next_moves;
+  }
+  move(end - count, moves);
+}
+
+template <class Real, bool strided, bool weighted, bool soft, bool damped, bool first>
+HWY_NOINLINE void relax_present(const LinkArrays<Real>& all_links, const LinkStretch& stretch,
                                 [[maybe_unused]] const Packed<Real>* start, Packed<Real>* position) {
   using L = Lanes<Real>;
-  using Rows = typename L::Rows;
-  const typename L::Tag tag;
   using V = typename L::V;
+  const typename L::Tag tag;
   const V one = hn::Set(tag, Real(1)), zero = hn::Zero(tag);
-  [[maybe_unused]] const V plain_move = hn::Set(tag, links.plain_move),
-                           plain_factor = hn::Set(tag, links.plain_factor);
-  const Index *const a = links.a, *const b = links.b;
-  for (std::size_t slot = stretch.begin; slot < stretch.end; slot += L::count) {
-    [[maybe_unused]] const std::size_t special = stretch.special + (slot - stretch.begin);
-    const Rows on_a = L::load(position, a + slot), on_b = L::load(position, b + slot);
-    const Rows between = L::minus(on_a, on_b);
+  [[maybe_unused]] const V half = hn::Set(tag, Real(0.5)),
+                           plain_factor = hn::Set(tag, all_links.plain_factor);
+  const LinkArrays<Real> links = all_links;  // which no store can change
+  const Ends<Real, strided> a(links.a, stretch), b(links.b, stretch);
+  [[maybe_unused]] const std::size_t special = stretch.special - stretch.begin;
+  const auto correct = [&](std::size_t slot) TAUT_INLINED {
+    const auto at_a = a.at(slot), at_b = b.at(slot);
+    const auto between = L::minus(L::load(position, at_a), L::load(position, at_b));
     const Transposed<V> d = L::transposed(between);
     const V distance = hn::Sqrt(dot(d, d));
     const auto has_direction = hn::Gt(distance, zero);
     const V inverse_distance = hn::IfThenElseZero(has_direction, hn::Div(one, distance));
-    const V multiplier = hn::LoadU(tag, links.multiplier + slot);
-    V change = hn::Sub(hn::LoadU(tag, links.length + slot), distance);
-    if constexpr (soft) change = hn::Sub(change, hn::Mul(hn::LoadU(tag, links.scaled + special), multiplier));
+    V over = hn::Sub(hn::LoadU(tag, links.length + slot), distance);
+    [[maybe_unused]] V multiplier = zero;
+    if constexpr (!first) multiplier = hn::LoadU(tag, links.multiplier + slot);
+    if constexpr (soft && !first)
+      over = hn::Sub(over, hn::Mul(hn::LoadU(tag, links.scaled + special + slot), multiplier));
     if constexpr (damped) {
-      const Transposed<V> d0 = L::transposed(L::minus(L::load(start, a + slot), L::load(start, b + slot)));
+      const Transposed<V> d0 = L::transposed(L::minus(L::load(start, at_a), L::load(start, at_b)));
       const Transposed<V> moved{hn::Sub(d.x, d0.x), hn::Sub(d.y, d0.y), hn::Sub(d.z, d0.z)};
-      change = hn::Sub(
-          change, hn::Mul(hn::Mul(hn::LoadU(tag, links.gamma + special), inverse_distance), dot(moved, d)));
+      over = hn::Sub(over, hn::Mul(hn::Mul(hn::LoadU(tag, links.gamma + special + slot), inverse_distance),
+                                   dot(moved, d)));
     }
-    if constexpr (weighted || soft)
-      change = hn::Mul(change, hn::LoadU(tag, links.factor + special));
-    else
-      change = hn::Mul(change, plain_factor);
-    change = hn::IfThenElseZero(has_direction, change);
-    hn::StoreU(hn::Add(multiplier, change), tag, links.multiplier + slot);
-    const V shift = hn::Mul(change, inverse_distance);
-    if constexpr (weighted) {
-      const V move_a = hn::Mul(hn::LoadU(tag, links.move_a + special), shift),
-              move_b = hn::Mul(hn::LoadU(tag, links.move_b + special), shift);
-      L::store(L::plus(on_a, L::scaled(move_a, between)), position, a + slot);
-      L::store(L::minus(on_b, L::scaled(move_b, between)), position, b + slot);
-    } else {
-      const Rows move = L::scaled(hn::Mul(plain_move, shift), between);
-      L::store(L::plus(on_a, move), position, a + slot);
-      L::store(L::minus(on_b, move), position, b + slot);
-    }
-  }
+    over = hn::IfThenElseZero(has_direction, over);
+    V factor = plain_factor;
+    if constexpr (weighted || soft) factor = hn::LoadU(tag, links.factor + special + slot);
+    V change = hn::Mul(over, factor);
+    if constexpr (!first) change = hn::Add(multiplier, change);
+    hn::StoreU(change, tag, links.multiplier + slot);
+    const V shift = hn::Mul(over, inverse_distance);
+    V share_a = half, share_b = half;
+    if constexpr (weighted || soft) share_a = hn::LoadU(tag, links.share_a + special + slot);
+    if constexpr (weighted) share_b = hn::LoadU(tag, links.share_b + special + slot);
+    return Moves<Real>{hn::Mul(share_a, shift), hn::Mul(share_b, shift)};
+  };
+  const auto move = [&](std::size_t slot, const Moves<Real>& moves) TAUT_INLINED {
+    const auto at_a = a.at(slot), at_b = b.at(slot);
+    const auto on_a = L::load(position, at_a), on_b = L::load(position, at_b);
+    move_links<Real, weighted>(moves, L::minus(on_a, on_b), on_a, on_b, at_a, at_b, position);
+  };
+  for_each_group(stretch.begin, stretch.end, L::count, correct, move);
 }
 
-template <class Real, bool weighted>
+template <class Real, bool strided, bool weighted, bool first>
+HWY_INLINE void relax_soft_or_not(const LinkArrays<Real>& links, const LinkStretch& stretch,
+                                  const Packed<Real>* start, Packed<Real>* position) {
+  if (stretch.damped)
+    relax_present<Real, strided, weighted, true, true, first>(links, stretch, start, position);
+  else if (stretch.soft)
+    relax_present<Real, strided, weighted, true, false, first>(links, stretch, start, position);
+  else
+    relax_present<Real, strided, weighted, false, false, first>(links, stretch, start, position);
+}
+
+template <class Real, bool first>
 HWY_INLINE void relax_stretch(const LinkArrays<Real>& links, const LinkStretch& stretch,
                               const Packed<Real>* start, Packed<Real>* position) {
-  if (stretch.damped)
-    relax_present<Real, weighted, true, true>(links, stretch, start, position);
-  else if (stretch.soft)
-    relax_present<Real, weighted, true, false>(links, stretch, start, position);
+  if (stretch.weighted)
+    relax_soft_or_not<Real, false, true, first>(links, stretch, start, position);
+  else if (stretch.stride == 0)
+    relax_soft_or_not<Real, false, false, first>(links, stretch, start, position);
   else
-    relax_present<Real, weighted, false, false>(links, stretch, start, position);
+    relax_soft_or_not<Real, true, false, first>(links, stretch, start, position);
 }
 
 // Masses one by one, whatever the width of vectors.
 template <class Real, bool velocities>
-HWY_INLINE void move_masses(const FreeMotion<Real>& motion, std::size_t begin, std::size_t end,
+HWY_INLINE void move_masses(const FreeMotion<Real>& free_motion, std::size_t begin, std::size_t end,
                             Packed<Real>* next) {
+  const FreeMotion<Real> motion = free_motion;  // which no store can change
   const hn::CappedTag<Real, 4> tag;
   const auto h = hn::Set(tag, motion.h), keep = hn::Set(tag, motion.keep);
   [[maybe_unused]] const auto inverse_h = hn::Set(tag, motion.inverse_h),
@@ -333,31 +425,33 @@ template <class Real>
 HWY_INLINE bool finite(const Packed<Real>* masses, std::size_t begin, std::size_t end) {
   const hn::CappedTag<Real, 4> tag;
   const auto zero = hn::Zero(tag);
-  auto sum = zero;
+  auto good = hn::Eq(zero, zero);
   for (std::size_t i = begin; i < end; ++i)
-    for (std::size_t k = 0; k < 4; k += hn::Lanes(tag))
-      sum = hn::Add(sum, hn::Mul(zero, hn::Load(tag, &masses[i].x + k)));  // 0, or not a number for ever
-  return hn::AllTrue(tag, hn::Eq(sum, zero));
+    for (std::size_t k = 0; k < 4; k += hn::Lanes(tag)) {
+      const auto value = hn::Load(tag, &masses[i].x + k);
+      good = hn::And(good, hn::Eq(hn::Sub(value, value), zero));
+    }
+  return hn::AllTrue(tag, good);
 }
 
 template <class Real>
 HWY_INLINE bool relax_stretches(const LinkArrays<Real>& links, std::span<const LinkStretch> stretches,
                                 const Packed<Real>* start, const FreeMotion<Real>* motion, std::size_t masses,
-                                bool last, Packed<Real>* position) {
+                                PassPlace place, Packed<Real>* position) {
   std::size_t begun = 0, done = 0;
   bool good = true;
-  const auto begin_until = [&](std::size_t end) HWY_ATTR {
+  const auto begin_until = [&](std::size_t end) TAUT_INLINED {
     if (motion != nullptr && end > begun) move_range(*motion, begun, end, position);
     begun = std::max(begun, end);
   };
-  const auto end_until = [&](std::size_t end) HWY_ATTR {
-    if (last && end > done) good = finite(position, done, end) && good;
+  const auto end_until = [&](std::size_t end) TAUT_INLINED {
+    if (place.last && end > done) good = finite(position, done, end) && good;
     done = std::max(done, end);
   };
   for (const LinkStretch& stretch : stretches) {
     begin_until(stretch.begun);
-    stretch.weighted ? relax_stretch<Real, true>(links, stretch, start, position)
-                     : relax_stretch<Real, false>(links, stretch, start, position);
+    place.first ? relax_stretch<Real, true>(links, stretch, start, position)
+                : relax_stretch<Real, false>(links, stretch, start, position);
     end_until(std::min(stretch.done, begun));
   }
   begin_until(masses);
@@ -367,80 +461,100 @@ HWY_INLINE bool relax_stretches(const LinkArrays<Real>& links, std::span<const L
 
 bool relax_doubles(const LinkArrays<double>& links, std::span<const LinkStretch> stretches,
                    const Packed<double>* start, const FreeMotion<double>* motion, std::size_t masses,
-                   bool last, Packed<double>* position) {
-  return relax_stretches<double>(links, stretches, start, motion, masses, last, position);
+                   PassPlace place, Packed<double>* position) {
+  return relax_stretches<double>(links, stretches, start, motion, masses, place, position);
 }
 
 bool relax_singles(const LinkArrays<float>& links, std::span<const LinkStretch> stretches,
-                   const Packed<float>* start, const FreeMotion<float>* motion, std::size_t masses, bool last,
-                   Packed<float>* position) {
-  return relax_stretches<float>(links, stretches, start, motion, masses, last, position);
+                   const Packed<float>* start, const FreeMotion<float>* motion, std::size_t masses,
+                   PassPlace place, Packed<float>* position) {
+  return relax_stretches<float>(links, stretches, start, motion, masses, place, position);
 }
 
-template <bool weighted, bool judged>
-HWY_NOINLINE void relax_along(const LinkArrays<double>& links, const LinkStretch& stretch,
+// Notes the first link that has turned by 90° or more.
+HWY_NOINLINE void note_lost(Lanes<double>::V along, std::size_t slot, AlongFound& found) {
+  constexpr std::size_t count = Lanes<double>::count;
+  if (slot >= found.lost) return;
+  double lanes[count];
+  hn::StoreU(along, Lanes<double>::Tag(), lanes);
+  for (std::size_t i = count; i-- > 0;)
+    if (!(lanes[i] > 0.0)) {
+      found.lost = slot + i;
+      found.lost_along = lanes[i];
+    }
+}
+
+template <bool strided, bool weighted, bool first, bool judged>
+HWY_NOINLINE void relax_along(const LinkArrays<double>& all_links, const LinkStretch& stretch,
                               const Packed<double>* direction, Packed<double>* position, AlongFound& found) {
   using L = Lanes<double>;
-  using Rows = L::Rows;
-  const L::Tag tag;
   using V = L::V;
-  const V zero = hn::Zero(tag);
-  const V plain_move = hn::Set(tag, links.plain_move), plain_factor = hn::Set(tag, links.plain_factor);
-  const Index *const a = links.a, *const b = links.b;
+  const L::Tag tag;
+  const V zero = hn::Zero(tag), half = hn::Set(tag, 0.5), plain_factor = hn::Set(tag, all_links.plain_factor);
+  const LinkArrays<double> links = all_links;
+  const Ends<double, strided> a(links.a, stretch), b(links.b, stretch);
+  [[maybe_unused]] const std::size_t special = stretch.special - stretch.begin;
+  const Strided rows{0, sizeof(Packed<double>)};
   [[maybe_unused]] V worst = zero;
-  for (std::size_t slot = stretch.begin; slot < stretch.end; slot += L::count) {
-    [[maybe_unused]] const std::size_t special = stretch.special + (slot - stretch.begin);
-    const Rows on_a = L::load(position, a + slot), on_b = L::load(position, b + slot);
-    const Rows before = L::load_next(direction + slot);
-    const Transposed<V> d = L::transposed(L::minus(on_a, on_b)), d0 = L::transposed(before);
-    const V length = hn::LoadU(tag, links.length + slot);
-    const V square = hn::Mul(length, length), along = dot(d, d0), excess = hn::Sub(dot(d, d), square);
+  const auto correct = [&](std::size_t slot) TAUT_INLINED {
+    const Transposed<V> d0 = L::transposed(L::load(direction + slot, rows));
+    const Transposed<V> d =
+        L::transposed(L::minus(L::load(position, a.at(slot)), L::load(position, b.at(slot))));
+    const V length = hn::LoadU(tag, links.length + slot), square = hn::Mul(length, length);
+    const V along = dot(d, d0), excess = hn::Sub(dot(d, d), square);
     const auto turned_less = hn::Gt(along, zero);
-    if (HWY_UNLIKELY(!hn::AllTrue(tag, turned_less)) && slot < found.lost) {
-      double lanes[L::count];
-      hn::StoreU(along, tag, lanes);
-      for (std::size_t i = L::count; i-- > 0;)
-        if (!(lanes[i] > 0.0)) {
-          found.lost = slot + i;
-          found.lost_along = lanes[i];
-        }
-    }
+    if (HWY_UNLIKELY(!hn::AllTrue(tag, turned_less))) note_lost(along, slot, found);
     if constexpr (judged) worst = hn::Max(worst, hn::Div(hn::Abs(excess), square));
+    const V over = hn::IfThenElseZero(turned_less, hn::Div(excess, hn::Add(along, along)));
     V factor = plain_factor;
-    if constexpr (weighted) factor = hn::LoadU(tag, links.factor + special);
-    const V q = hn::IfThenElseZero(turned_less, hn::Div(hn::Mul(excess, factor), hn::Add(along, along)));
-    hn::StoreU(hn::Add(hn::LoadU(tag, links.multiplier + slot), q), tag, links.multiplier + slot);
+    if constexpr (weighted) factor = hn::LoadU(tag, links.factor + special + slot);
+    V change = hn::Mul(over, factor);
+    if constexpr (!first) change = hn::Add(hn::LoadU(tag, links.multiplier + slot), change);
+    hn::StoreU(change, tag, links.multiplier + slot);
+    const V back = hn::Neg(over);
+    V share_a = half, share_b = half;
     if constexpr (weighted) {
-      const V move_a = hn::Mul(hn::LoadU(tag, links.move_a + special), q),
-              move_b = hn::Mul(hn::LoadU(tag, links.move_b + special), q);
-      L::store(L::minus(on_a, L::scaled(move_a, before)), position, a + slot);
-      L::store(L::plus(on_b, L::scaled(move_b, before)), position, b + slot);
-    } else {
-      const Rows move = L::scaled(hn::Mul(plain_move, q), before);
-      L::store(L::minus(on_a, move), position, a + slot);
-      L::store(L::plus(on_b, move), position, b + slot);
+      share_a = hn::LoadU(tag, links.share_a + special + slot);
+      share_b = hn::LoadU(tag, links.share_b + special + slot);
     }
-  }
+    return Moves<double>{hn::Mul(share_a, back), hn::Mul(share_b, back)};
+  };
+  const auto move = [&](std::size_t slot, const Moves<double>& moves) TAUT_INLINED {
+    const auto at_a = a.at(slot), at_b = b.at(slot);
+    move_links<double, weighted>(moves, L::load(direction + slot, rows), L::load(position, at_a),
+                                 L::load(position, at_b), at_a, at_b, position);
+  };
+  for_each_group(stretch.begin, stretch.end, L::count, correct, move);
   if constexpr (judged) {
     double lanes[L::count];
     hn::StoreU(worst, tag, lanes);
-    for (const double value : lanes)
-      if (value > found.worst) found.worst = value;
+    for (const double value : lanes) found.worst = std::max(found.worst, value);
   }
 }
 
-AlongFound relax_all_along(const LinkArrays<double>& links, std::span<const LinkStretch> stretches,
-                           const Packed<double>* direction, bool judged, Packed<double>* position) {
+template <bool first, bool judged>
+HWY_INLINE AlongFound relax_each_along(const LinkArrays<double>& links,
+                                       std::span<const LinkStretch> stretches,
+                                       const Packed<double>* direction, Packed<double>* position) {
   AlongFound found;
-  for (const LinkStretch& stretch : stretches) {
-    if (judged)
-      stretch.weighted ? relax_along<true, true>(links, stretch, direction, position, found)
-                       : relax_along<false, true>(links, stretch, direction, position, found);
+  for (const LinkStretch& stretch : stretches)
+    if (stretch.weighted)
+      relax_along<false, true, first, judged>(links, stretch, direction, position, found);
+    else if (stretch.stride == 0)
+      relax_along<false, false, first, judged>(links, stretch, direction, position, found);
     else
-      stretch.weighted ? relax_along<true, false>(links, stretch, direction, position, found)
-                       : relax_along<false, false>(links, stretch, direction, position, found);
-  }
+      relax_along<true, false, first, judged>(links, stretch, direction, position, found);
   return found;
+}
+
+AlongFound relax_all_along(const LinkArrays<double>& links, std::span<const LinkStretch> stretches,
+                           const Packed<double>* direction, bool first, bool judged,
+                           Packed<double>* position) {
+  if (first)
+    return judged ? relax_each_along<true, true>(links, stretches, direction, position)
+                  : relax_each_along<true, false>(links, stretches, direction, position);
+  return judged ? relax_each_along<false, true>(links, stretches, direction, position)
+                : relax_each_along<false, false>(links, stretches, direction, position);
 }
 
 }  // namespace taut::HWY_NAMESPACE
@@ -457,28 +571,34 @@ HWY_EXPORT(relax_all_along);
 template <>
 bool relax_along_present(const LinkArrays<double>& links, std::span<const LinkStretch> stretches,
                          const Packed<double>* start, const FreeMotion<double>* motion, std::size_t masses,
-                         bool last, Packed<double>* position) {
-  return HWY_DYNAMIC_DISPATCH(relax_doubles)(links, stretches, start, motion, masses, last, position);
+                         PassPlace place, Packed<double>* position) {
+  return HWY_DYNAMIC_DISPATCH(relax_doubles)(links, stretches, start, motion, masses, place, position);
 }
 
 template <>
 bool relax_along_present(const LinkArrays<float>& links, std::span<const LinkStretch> stretches,
                          const Packed<float>* start, const FreeMotion<float>* motion, std::size_t masses,
-                         bool last, Packed<float>* position) {
-  return HWY_DYNAMIC_DISPATCH(relax_singles)(links, stretches, start, motion, masses, last, position);
+                         PassPlace place, Packed<float>* position) {
+  return HWY_DYNAMIC_DISPATCH(relax_singles)(links, stretches, start, motion, masses, place, position);
 }
 
 AlongFound relax_along_start(const LinkArrays<double>& links, std::span<const LinkStretch> stretches,
-                             const Packed<double>* direction, bool judged, Packed<double>* position) {
-  return HWY_DYNAMIC_DISPATCH(relax_all_along)(links, stretches, direction, judged, position);
+                             const Packed<double>* direction, bool first, bool judged,
+                             Packed<double>* position) {
+  return HWY_DYNAMIC_DISPATCH(relax_all_along)(links, stretches, direction, first, judged, position);
 }
 
-void link_directions(const Index* a, const Index* b, std::size_t slots, const Packed<double>* position,
-                     Packed<double>* direction) {
-  for (std::size_t slot = 0; slot < slots; ++slot) {
-    const Packed<double>&on_a = position[a[slot]], &on_b = position[b[slot]];
-    direction[slot] = {on_a.x - on_b.x, on_a.y - on_b.y, on_a.z - on_b.z, 0.0};
-  }
+void link_directions(const LinkArrays<double>& links, std::span<const LinkStretch> stretches,
+                     const Packed<double>* position, Packed<double>* direction) {
+  const auto at = [position](std::uint32_t offset) -> const Packed<double>& {
+    return position[offset / sizeof(Packed<double>)];
+  };
+  for (const LinkStretch& stretch : stretches)
+    for (std::size_t slot = stretch.begin; slot < stretch.end; ++slot) {
+      const Packed<double>&on_a = at(end_offset<double>(links.a, stretch, slot)),
+            &on_b = at(end_offset<double>(links.b, stretch, slot));
+      direction[slot] = {on_a.x - on_b.x, on_a.y - on_b.y, on_a.z - on_b.z, 0.0};
+    }
 }
 
 }  // namespace taut

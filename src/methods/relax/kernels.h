@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
-#include "base/vectors.h"
 #include "relax/packed.h"
 
 namespace taut {
@@ -17,9 +17,12 @@ inline constexpr std::size_t links_at_once = 32 / sizeof(Real);
 struct LinkStretch {
   std::size_t begin = 0, end = 0;
   std::size_t special = 0;  ///< place of its first link
-  bool weighted = false;    ///< unequal masses, or a pin
-  bool soft = false;        ///< with compliance
-  bool damped = false;      ///< and damping
+  /// Where its ends begin among those of all stretches: one a link, or, where places go on by a stride
+  /// (bytes, not 0), one every links_at_once links.
+  std::size_t ends = 0, stride = 0;
+  bool weighted = false;  ///< unequal masses, or a pin
+  bool soft = false;      ///< with compliance
+  bool damped = false;    ///< and damping
   /// Once the stretches until here, this one included, have been visited: the masses below `begun` are those
   /// that they may have touched, and those below `done` no later one touches.
   std::size_t begun = 0, done = 0;
@@ -39,30 +42,52 @@ struct FreeMotion {
   Packed<Real> end_gain, gain;  // m/s
 };
 
-/// What a kernel reads and writes of the links, one array each; relaxation.h has the formulas.
+/// Where a mass lies: bytes from the first.
+template <class Real>
+constexpr std::uint32_t place_offset(std::size_t place) {
+  return static_cast<std::uint32_t>(place * sizeof(Packed<Real>));
+}
+
+/// Where the end of a stretch's link lies, of its ends a or b.
+template <class Real>
+std::uint32_t end_offset(const std::uint32_t* ends, const LinkStretch& stretch, std::size_t slot) {
+  const std::size_t link = slot - stretch.begin;
+  if (stretch.stride == 0) return ends[stretch.ends + link];
+  return ends[stretch.ends + link / links_at_once<Real>] +
+         static_cast<std::uint32_t>(link % links_at_once<Real> * stretch.stride);
+}
+
+/// What a kernel reads and writes of the links, one array each; relaxation.h has the formulas. With N for the
+/// numerator of Δλ and f for one over its denominator, λ changes by f N, and a mass moves by (answer·w f) N
+/// n: its share.
 template <class Real>
 struct LinkArrays {
+  const std::uint32_t *a, *b;  // place_offset() of the masses, as LinkStretch::ends has it
   // One a slot.
-  const Index *a, *b;  // places of the masses
   const Real* length;  // m
   Real* multiplier;    // λ
-  // Of rigid links between equal masses.
-  Real plain_move;    // answer·w
+  // Of rigid links between equal masses; either mass moves by half of N.
   Real plain_factor;  // 1/(2 answer·w)
   // One a special place.
-  const Real *move_a, *move_b;  // answer·w_a, answer·w_b
-  const Real* factor;           // 1/((1 + γ) answer (w_a + w_b) + α̃)
-  const Real* scaled;           // α̃, of soft links
-  const Real* gamma;            // γ, of damped ones
+  const Real* factor;             // 1/((1 + γ) answer (w_a + w_b) + α̃)
+  const Real *share_a, *share_b;  // answer·w_a·factor, answer·w_b·factor
+  const Real* scaled;             // α̃, of soft links
+  const Real* gamma;              // γ, of damped ones
+};
+
+/// Which pass of a step it is. Before the first one multipliers are 0, whatever they hold.
+struct PassPlace {
+  bool first = true, last = true;
 };
 
 /// One pass along the present directions over these stretches. `start` is read where links are damped. With a
 /// `motion` the free masses, the first so many, come to `position` by it just ahead of the links that touch
-/// them. True when all of them are finite in the end; looked at only when `last`.
+/// them. True when all of them are finite in the end; looked at only in the
+/// last pass.
 template <class Real>
 bool relax_along_present(const LinkArrays<Real>& links, std::span<const LinkStretch> stretches,
                          const Packed<Real>* start, const FreeMotion<Real>* motion, std::size_t masses,
-                         bool last, Packed<Real>* position);
+                         PassPlace place, Packed<Real>* position);
 
 /// What a pass along the directions at the start of the step found.
 struct AlongFound {
@@ -74,10 +99,11 @@ struct AlongFound {
 
 /// One pass of rigid links along these directions, one a slot. Lost links are left as they are.
 AlongFound relax_along_start(const LinkArrays<double>& links, std::span<const LinkStretch> stretches,
-                             const Packed<double>* direction, bool judged, Packed<double>* position);
+                             const Packed<double>* direction, bool first, bool judged,
+                             Packed<double>* position);
 
-/// directions[slot] = position[a] − position[b], for so many slots.
-void link_directions(const Index* a, const Index* b, std::size_t slots, const Packed<double>* position,
-                     Packed<double>* direction);
+/// direction[slot] = position[a] − position[b], for every link of these stretches.
+void link_directions(const LinkArrays<double>& links, std::span<const LinkStretch> stretches,
+                     const Packed<double>* position, Packed<double>* direction);
 
 }  // namespace taut

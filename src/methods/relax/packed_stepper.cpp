@@ -52,7 +52,7 @@ class PackedStepper final : public Stepper {
     StepReport report;
     bool finite = true;
     for (int made = 0; made < passes_; ++made)
-      finite = links_.pass(present_, next_, made == 0 ? &motion : nullptr, made == passes_ - 1);
+      finite = links_.pass(present_, next_, {made == 0, made == passes_ - 1}, made == 0 ? &motion : nullptr);
     report.rounds = passes_;
     report.link_solves = links_.size() * passes_;
     if (!finite) {
@@ -78,13 +78,29 @@ class PackedStepper final : public Stepper {
     behind_ = false;
     links_.give(present_, state_.position);
     links_.give_difference(previous_, present_, static_cast<Real>(1.0 / last_h_), state_.velocity);
-    double answered = last_h_;
     if (kicks_ == Kicks::halves) {
       kick(model_, state_.time, 0.5 * last_h_, state_.velocity, state_.velocity);
       place_pins(model_, state_.time, state_.position, state_.velocity);
-      answered = kick_before_ + 0.5 * last_h_;
     }
-    links_.give_multipliers(-1.0 / (last_h_ * answered), state_.tension);
+    links_.give_multipliers(tension_scale(), state_.tension);
+    return state_;
+  }
+
+  void watch(const Watched& watched) override { watched_ = watched; }
+
+  const State& glimpse() override {
+    if (!behind_ || kicks_ == Kicks::halves) return store();
+    const Real inverse_h = static_cast<Real>(1.0 / last_h_);
+    for (const Index mass : watched_.masses) {
+      if (model_.masses.pinned(mass)) continue;
+      const Packed<Real>&now = present_[links_.place(mass)], &before = previous_[links_.place(mass)];
+      state_.position.set(mass, Vec3(now.x, now.y, now.z));
+      state_.velocity.set(mass, Vec3((now.x - before.x) * inverse_h, (now.y - before.y) * inverse_h,
+                                     (now.z - before.z) * inverse_h));
+    }
+    for (const Index link : watched_.links)
+      if (!state_.broken(link))
+        state_.tension[link] = static_cast<double>(links_.multiplier(link)) * tension_scale();
     return state_;
   }
 
@@ -96,11 +112,16 @@ class PackedStepper final : public Stepper {
     gain = packed_gain<Real>(model_.gravity * (seconds * answer));
   }
 
+  double tension_scale() const {
+    return -1.0 / (last_h_ * (kicks_ == Kicks::whole ? last_h_ : kick_before_ + 0.5 * last_h_));
+  }
+
   const Model& model_;
   int passes_;
   Kicks kicks_;
   Relaxation<Real> links_;
   State state_;  // of pins always, of all else where it isn't behind
+  Watched watched_;
   bool loaded_ = false, behind_ = false;
   typename Relaxation<Real>::Masses previous_, present_,
       next_;                                 // the free masses before, now, and being made

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <utility>
 
 #include "model/parts.h"
@@ -47,8 +48,11 @@ void Relaxation<Real>::links_changed(const State& state) {
   arrays_ = {};
   for (const VisitOrder::Run& run : order.runs) add_run(run);
   find_reach();
+  slot_.assign(model_.links.size(), 0);
+  for (std::size_t slot = 0; slot < visited_.size(); ++slot)
+    if (visited_[slot] != no_link) slot_[visited_[slot]] = static_cast<std::uint32_t>(slot);
   arrays_.multiplier.assign(visited_.size(), Real(0));
-  for (auto* values : {&arrays_.move_a, &arrays_.move_b, &arrays_.factor, &arrays_.scaled, &arrays_.gamma})
+  for (auto* values : {&arrays_.factor, &arrays_.share_a, &arrays_.share_b, &arrays_.scaled, &arrays_.gamma})
     values->assign(special_.size(), Real(0));
   settled_h_ = settled_answer_ = 0;
 }
@@ -71,27 +75,71 @@ void Relaxation<Real>::add_run(const std::vector<Index>& run) {
       stretch.weighted = kind % 2 != 0;
       stretch.soft = kind >= 2;
       stretch.damped = kind >= 4;
-      add_stretch(kinds[kind], stretch);
+      if (!stretch.weighted) add_strided(kinds[kind], stretch);
+      if (!kinds[kind].empty()) add_stretch(kinds[kind], stretch);
     }
+}
+
+// The distance in bytes at which the ends of so many links as a kernel takes at once follow each other; 0
+// where they don't.
+template <class Real>
+std::size_t Relaxation<Real>::stride_of(const Index* links) const {
+  const auto a = [&](std::size_t i) { return std::ptrdiff_t{place_[model_.links.a[links[i]]]}; };
+  const auto b = [&](std::size_t i) { return std::ptrdiff_t{place_[model_.links.b[links[i]]]}; };
+  const std::ptrdiff_t stride = a(1) - a(0);
+  if (stride <= 0) return 0;
+  for (std::size_t i = 1; i < links_at_once<Real>; ++i)
+    if (a(i) - a(i - 1) != stride || b(i) - b(i - 1) != stride) return 0;
+  return static_cast<std::size_t>(stride) * sizeof(Packed<Real>);
+}
+
+// Takes out of some links between free masses those that lie at equal distances, as in rows of sheets and in
+// chains, and makes stretches of them.
+template <class Real>
+void Relaxation<Real>::add_strided(std::vector<Index>& links, const LinkStretch& kind) {
+  constexpr std::size_t fewest = 4 * links_at_once<Real>;
+  std::map<std::size_t, std::vector<Index>> by_stride;
+  for (std::size_t i = 0; i < links.size();) {
+    const std::size_t stride = i + links_at_once<Real> <= links.size() ? stride_of(&links[i]) : 0;
+    const std::size_t count = stride == 0 ? 1 : links_at_once<Real>;
+    by_stride[stride].insert(by_stride[stride].end(), &links[i], &links[i] + count);
+    i += count;
+  }
+  links = std::move(by_stride[0]);
+  for (const auto& [stride, strided] : by_stride) {
+    if (stride == 0) continue;
+    if (strided.size() < fewest) {
+      links.insert(links.end(), strided.begin(), strided.end());
+      continue;
+    }
+    LinkStretch stretch = kind;
+    stretch.stride = stride;
+    add_stretch(strided, stretch);
+  }
 }
 
 template <class Real>
 void Relaxation<Real>::add_stretch(const std::vector<Index>& links, LinkStretch stretch) {
   stretch.begin = visited_.size();
   stretch.special = special_.size();
-  for (const Index link : links) add_link(link, stretch);
-  if (const std::size_t over = visited_.size() % links_at_once<Real>; over != 0) {
+  stretch.ends = arrays_.a.size();
+  const auto add_ends = [&](std::size_t a, std::size_t b) {
+    arrays_.a.push_back(place_offset<Real>(a));
+    arrays_.b.push_back(place_offset<Real>(b));
+  };
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    if (stretch.stride == 0 || i % links_at_once<Real> == 0)
+      add_ends(place_of(model_.links.a[links[i]]), place_of(model_.links.b[links[i]]));
+    add_slot(links[i], model_.links.length[links[i]], stretch);
+  }
+  if (visited_.size() % links_at_once<Real> != 0) {
     // Filled up with links between two masses of the stretch's own that are one metre apart and stay so.
-    const auto place = static_cast<Index>(room_.size());
-    room_.push_back({});
-    room_.push_back({});
+    const std::size_t place = room_.size();
+    room_.resize(place + 2);
     room_.back().x = Real(1);
-    for (std::size_t i = over; i < links_at_once<Real>; ++i) {
-      arrays_.a.push_back(place);
-      arrays_.b.push_back(place + 1);
-      arrays_.length.push_back(Real(1));
-      visited_.push_back(no_link);
-      if (stretch.weighted || stretch.soft) special_.push_back(no_link);
+    while (visited_.size() % links_at_once<Real> != 0) {
+      add_ends(place, place + 1);
+      add_slot(no_link, 1.0, stretch);
     }
   }
   stretch.end = visited_.size();
@@ -99,10 +147,8 @@ void Relaxation<Real>::add_stretch(const std::vector<Index>& links, LinkStretch 
 }
 
 template <class Real>
-void Relaxation<Real>::add_link(Index link, const LinkStretch& stretch) {
-  arrays_.a.push_back(place_of(model_.links.a[link]));
-  arrays_.b.push_back(place_of(model_.links.b[link]));
-  arrays_.length.push_back(static_cast<Real>(model_.links.length[link]));
+void Relaxation<Real>::add_slot(Index link, double length, const LinkStretch& stretch) {
+  arrays_.length.push_back(static_cast<Real>(length));
   visited_.push_back(link);
   if (stretch.weighted || stretch.soft) special_.push_back(link);
 }
@@ -122,8 +168,10 @@ void Relaxation<Real>::find_reach() {
   std::size_t begun = 0, done = masses_.size();
   const auto visit_free = [&](const LinkStretch& stretch, const auto& visit) {
     for (std::size_t slot = stretch.begin; slot < stretch.end; ++slot)
-      for (const std::size_t place : {arrays_.a[slot], arrays_.b[slot]})
-        if (place < masses_.size()) visit(place);
+      for (const auto* ends : {arrays_.a.data(), arrays_.b.data()})
+        if (const std::size_t place = end_offset<Real>(ends, stretch, slot) / sizeof(Packed<Real>);
+            place < masses_.size())
+          visit(place);
   };
   for (LinkStretch& stretch : stretches_) {
     visit_free(stretch, [&](std::size_t place) { begun = std::max(begun, place + 1); });
@@ -149,33 +197,39 @@ void Relaxation<Real>::settle(Real h, Real answer) {
                  move_b = moves * model_.masses.inverse_mass[model_.links.b[link]];
     const double compliance = model_.links.compliance(link), damping = model_.links.damping[link];
     const double scaled = compliance / (step * step), gamma = compliance * damping / step;
-    arrays_.move_a[i] = static_cast<Real>(move_a);
-    arrays_.move_b[i] = static_cast<Real>(move_b);
+    const double factor = 1.0 / ((1.0 + gamma) * (move_a + move_b) + scaled);
+    arrays_.factor[i] = static_cast<Real>(factor);
+    arrays_.share_a[i] = static_cast<Real>(move_a * factor);
+    arrays_.share_b[i] = static_cast<Real>(move_b * factor);
     arrays_.scaled[i] = static_cast<Real>(scaled);
     arrays_.gamma[i] = static_cast<Real>(gamma);
-    arrays_.factor[i] = static_cast<Real>(1.0 / ((1.0 + gamma) * (move_a + move_b) + scaled));
   }
 }
 
 template <class Real>
 LinkArrays<Real> Relaxation<Real>::arrays() {
   const double move = static_cast<double>(settled_answer_) * equal_weight_;
-  return {arrays_.a.data(),          arrays_.b.data(),        arrays_.length.data(),
-          arrays_.multiplier.data(), static_cast<Real>(move), static_cast<Real>(0.5 / move),
-          arrays_.move_a.data(),     arrays_.move_b.data(),   arrays_.factor.data(),
-          arrays_.scaled.data(),     arrays_.gamma.data()};
+  return {arrays_.a.data(),
+          arrays_.b.data(),
+          arrays_.length.data(),
+          arrays_.multiplier.data(),
+          static_cast<Real>(0.5 / move),
+          arrays_.factor.data(),
+          arrays_.share_a.data(),
+          arrays_.share_b.data(),
+          arrays_.scaled.data(),
+          arrays_.gamma.data()};
 }
 
 template <class Real>
 void Relaxation<Real>::begin_step(Real h, Real answer) {
   settle(h, answer);
-  std::fill(arrays_.multiplier.begin(), arrays_.multiplier.end(), Real(0));
 }
 
 template <class Real>
-bool Relaxation<Real>::pass(const Masses& start, Masses& position, const FreeMotion<Real>* motion,
-                            bool last) {
-  return relax_along_present<Real>(arrays(), stretches_, start.data(), motion, masses_.size(), last,
+bool Relaxation<Real>::pass(const Masses& start, Masses& position, PassPlace place,
+                            const FreeMotion<Real>* motion) {
+  return relax_along_present<Real>(arrays(), stretches_, start.data(), motion, masses_.size(), place,
                                    position.data());
 }
 
@@ -183,13 +237,14 @@ template <class Real>
 void Relaxation<Real>::begin_step_along(const Masses& start) requires std::same_as<Real, double> {
   begin_step(1.0, 1.0);
   direction_.resize(visited_.size());
-  link_directions(arrays_.a.data(), arrays_.b.data(), visited_.size(), start.data(), direction_.data());
+  link_directions(arrays(), stretches_, start.data(), direction_.data());
 }
 
 template <class Real>
-AlongStart Relaxation<Real>::pass_along(bool judged, Masses& position) requires std::same_as<Real, double> {
+AlongStart Relaxation<Real>::pass_along(bool first, bool judged,
+                                        Masses& position) requires std::same_as<Real, double> {
   const AlongFound found =
-      relax_along_start(arrays(), stretches_, direction_.data(), judged, position.data());
+      relax_along_start(arrays(), stretches_, direction_.data(), first, judged, position.data());
   AlongStart result;
   result.worst = found.worst;
   if (found.lost != AlongFound::nowhere) {

@@ -50,7 +50,7 @@ class Relaxation {
   /// to = (b − a)·factor, of the free masses.
   void give_difference(const Masses& a, const Masses& b, Real factor, Vectors& to) const;
 
-  /// Begins a step of h seconds: no multiplier yet. `answer` is what a mass moves by beside its inverse mass:
+  /// Begins a step of h seconds. `answer` is what a mass moves by beside its inverse mass:
   /// 1/(1 + h·drag) where drag is implicit in all forces.
   void begin_step(Real h, Real answer);
 
@@ -58,10 +58,9 @@ class Relaxation {
   /// 26):
   ///   Δλ = (l − |d| − α̃ λ − γ n·(d − d₀)) / ((1 + γ) w + α̃),  w = answer (w_a + w_b)
   ///   x_a ← x_a + answer w_a Δλ n,  x_b ← x_b − answer w_b Δλ n,  λ ← λ + Δλ
-  /// with α̃ = α/h², γ = α c/h of its compliance and damping; d₀ is d at `start`, the step's. `motion`, `last`
-  /// and the result: as relax_along_present() has it.
-  bool pass(const Masses& start, Masses& position, const FreeMotion<Real>* motion = nullptr,
-            bool last = false);
+  /// with α̃ = α/h², γ = α c/h of its compliance and damping; d₀ is d at `start`, the step's. `motion` and
+  /// the result: as relax_along_present() has it.
+  bool pass(const Masses& start, Masses& position, PassPlace place, const FreeMotion<Real>* motion = nullptr);
 
   /// Begins a step of rigid links alone, along their directions d₀ at its start.
   void begin_step_along(const Masses& start) requires std::same_as<Real, double>;
@@ -69,16 +68,21 @@ class Relaxation {
   /// One pass along those directions (SHAKE):
   ///   q = (|d|² − l²) / (2 (w_a + w_b) d·d₀),  x_a ← x_a − w_a q d₀,  x_b ← x_b + w_b q d₀,  λ ← λ + q
   /// `judged`: the result says how good lengths were.
-  AlongStart pass_along(bool judged, Masses& position) requires std::same_as<Real, double>;
+  AlongStart pass_along(bool first, bool judged, Masses& position) requires std::same_as<Real, double>;
+
+  /// Where a free mass lies in such room.
+  Index place(Index mass) const { return place_[mass]; }
+  /// λ of a link that is visited: the sum over the passes of the step.
+  Real multiplier(Index link) const { return arrays_.multiplier[slot_[link]]; }
 
   /// values[link] = scale·λ, with the sum λ over the passes of the step.
   void give_multipliers(double scale, std::vector<double>& values) const;
 
  private:
   struct Arrays {
-    std::vector<Index> a, b;
-    std::vector<Real> length, multiplier;                     // one a slot
-    std::vector<Real> move_a, move_b, factor, scaled, gamma;  // one a special place
+    std::vector<std::uint32_t> a, b;                            // as LinkStretch::ends has it
+    std::vector<Real> length, multiplier;                       // one a slot
+    std::vector<Real> factor, share_a, share_b, scaled, gamma;  // one a special place
   };
   // Where a mass lies beside its place among the free ones: a pin's end of one link.
   struct PinEnd {
@@ -87,7 +91,9 @@ class Relaxation {
 
   void add_run(const std::vector<Index>& run);
   void add_stretch(const std::vector<Index>& links, LinkStretch stretch);
-  void add_link(Index link, const LinkStretch& stretch);
+  void add_strided(std::vector<Index>& links, const LinkStretch& kind);
+  void add_slot(Index link, double length, const LinkStretch& stretch);
+  std::size_t stride_of(const Index* links) const;
   Index place_of(Index mass);
   void find_reach();
   void settle(Real h, Real answer);
@@ -101,8 +107,9 @@ class Relaxation {
   std::vector<Index> place_;      // of each free mass
   std::vector<PinEnd> pin_ends_;  // a place for each link that ends in a pin: no two write to one
   Masses room_;
-  std::vector<Index> visited_;  // link by slot; no_link where a stretch is filled up
-  std::vector<Index> special_;  // link by special place, the same
+  std::vector<std::uint32_t> slot_;  // of each link that is visited
+  std::vector<Index> visited_;       // link by slot; no_link where a stretch is filled up
+  std::vector<Index> special_;       // link by special place, the same
   std::vector<LinkStretch> stretches_;
   Arrays arrays_;
   Real settled_h_ = 0, settled_answer_ = 0;  // what the arrays of special links hold for

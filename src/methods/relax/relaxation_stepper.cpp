@@ -73,7 +73,7 @@ class RelaxationStepper final : public FileOrderStepper {
     limits_and_contacts_.begin_step(start_, state);
     int made = 0;
     for (; passes_.another(made, limits_and_contacts_.may_jump(), start_, state.position, h); ++made) {
-      links_.pass(packed_start_, packed_);
+      links_.pass(packed_start_, packed_, {made == 0, false});
       if (limits_and_contacts_.none()) continue;
       links_.give(packed_, state.position);
       limits_and_contacts_.solve(h, answer, state.position);

@@ -9,8 +9,8 @@ namespace taut {
 namespace {
 
 // What stays in the cache nearest to a processor while the colours go over it.
-constexpr std::size_t masses_in_block = 2048;
-constexpr std::size_t masses_in_cache = 8192;
+constexpr std::size_t masses_in_block = 512;
+constexpr std::size_t masses_in_cache = 1024;
 
 // Colours already used at each mass, as growing sets of bits.
 class ColoursUsed {

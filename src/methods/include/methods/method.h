@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "model/model.h"
 #include "model/state.h"
@@ -109,6 +110,11 @@ struct Execution {
   int workers = 1;
 };
 
+/// What of a state is looked at after every step: positions and velocities of masses, and tensions of links.
+struct Watched {
+  std::vector<Index> masses, links;
+};
+
 /// The moving part of a method: one step at a time. It may keep what moves in a form and an order of its own;
 /// what it remembers beyond a State never changes a bit of what it does.
 class Stepper {
@@ -123,8 +129,15 @@ class Stepper {
   /// Takes the last step back; once after a step that succeeded, and only where
   /// Capabilities::takes_steps_back.
   virtual void undo() = 0;
-  /// The state that the steps have come to, until the next call of any other function.
+  /// The state that the steps have come to, until the next call of any other function. It may first have to
+  /// be made.
   virtual const State& store() = 0;
+
+  /// What glimpse() is to show from now on.
+  virtual void watch(const Watched&) {}
+  /// The same as store(), but where that would cost something the state is that of an earlier step beside
+  /// time, pins, and what is watched.
+  virtual const State& glimpse() { return store(); }
 };
 
 /// What a method costs on a usual processor (ns): what searches and charts predict times from before they

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "methods/method.h"
 #include "model/model.h"
 #include "model/state.h"
 
@@ -30,6 +31,9 @@ class WorkLedger {
   bool keeps_anything() const {
     return !model_->driven_pins.empty() || !model_->loads.empty() || breakable_springs_;
   }
+
+  /// What it looks at in a state, as long as no link has broken since the last one.
+  Watched watched() const;
 
   /// What will have been done when the run goes on from the state recorded last to another.
   Work until(const State& state) const;

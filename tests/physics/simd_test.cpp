@@ -1,0 +1,94 @@
+// The same bits whatever vector instructions the kernels use, and whichever of the steppers makes the step.
+
+#include "methods/simd.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "fixtures.h"
+#include "methods/registry.h"
+#include "motion/run.h"
+#include "scenes_of_the_program.h"
+
+namespace taut::test {
+namespace {
+
+struct BestSimdAgain {
+  ~BestSimdAgain() { force_simd(""); }
+};
+
+std::uint64_t hash_of(const Model& model, const State& start, const Settings& settings, std::int64_t steps) {
+  taut::Run run(model, start, settings);
+  while (run.steps() < steps && run.step()) {
+  }
+  EXPECT_FALSE(run.ended()) << run.failure();
+  const State& state = run.state();
+  // Tensions are no part of the hash.
+  std::uint64_t sum = state_hash(state);
+  for (const double tension : state.tension) sum = sum * 31 + std::bit_cast<std::uint64_t>(tension);
+  return sum;
+}
+
+std::vector<Settings> relaxations(const Scene& scene) {
+  std::vector<Settings> all;
+  for (const char* method : {"xpbd", "verlet", "shake"})
+    for (const double passes : {1.0, 3.0}) {
+      Settings settings{method, {{"passes", passes}}};
+      all.push_back(complete_settings(settings));
+      if (method != std::string("xpbd")) continue;
+      settings.values["precision"] = "single";
+      all.push_back(complete_settings(settings));
+    }
+  std::erase_if(
+      all, [&](const Settings& settings) { return !refusals(scene.model, scene.start, settings).empty(); });
+  return all;
+}
+
+class Simd : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(Simd, EveryTargetGivesTheSameBits) {
+  const BestSimdAgain again;
+  const Scene scene = scene_called(GetParam());
+  const std::vector<std::string> targets = simd_targets();
+  ASSERT_GE(targets.size(), 2U);
+  for (const Settings& settings : relaxations(scene)) {
+    force_simd("");
+    const std::uint64_t best = hash_of(scene.model, scene.start, settings, 5);
+    for (const std::string& target : targets) {
+      force_simd(target);
+      ASSERT_EQ(simd_targets(), std::vector{target});
+      EXPECT_EQ(hash_of(scene.model, scene.start, settings, 5), best) << target << ' ' << settings.method;
+    }
+  }
+}
+
+// A load of no force changes nothing but that the step in the order of the file has to make it.
+TEST_P(Simd, PackedStepsAreThoseInTheOrderOfTheFile) {
+  const Scene scene = scene_called(GetParam());
+  Model loaded = scene.model;
+  loaded.loads.push_back({{0}, Vec3::Zero(), 0.0, 0.0});
+  for (const Settings& settings : relaxations(scene)) {
+    if (settings.values.contains("precision") && settings.choice("precision") == "single") continue;
+    EXPECT_EQ(hash_of(loaded, scene.start, settings, 20), hash_of(scene.model, scene.start, settings, 20))
+        << settings.method;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Simd,
+                         ::testing::Values("curtain", "chain-20", "heavy-tip", "bridge", "breaking-cloth",
+                                           "pendulum"),
+                         case_name);
+
+TEST(SimdByName, AnUnknownOneIsRefusedWithTheKnownOnes) {
+  const BestSimdAgain again;
+  try {
+    force_simd("avx9");
+    FAIL();
+  } catch (const BadRequest& problem) {
+    EXPECT_NE(std::string(problem.what()).find(simd_targets().front()), std::string::npos) << problem.what();
+  }
+}
+
+}  // namespace
+}  // namespace taut::test
