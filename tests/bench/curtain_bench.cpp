@@ -40,6 +40,11 @@ void run_curtain(benchmark::State& run, const Model& model, const State& start, 
   run.counters["speed (m/s)"] = fastest_speed(state);
   run.counters["strain"] = link_strain(model, state).largest;
   run.counters["halvings"] = static_cast<double>(report.halvings);
+  const double steps = duration * rate;
+  run.counters["rounds/step"] = static_cast<double>(report.rounds) / steps;
+  run.counters["factors/step"] = static_cast<double>(report.factorisations) / steps;
+  run.counters["solves/link/step"] =
+      static_cast<double>(report.link_solves) / (steps * static_cast<double>(model.links.size()));
 }
 
 void drawn(benchmark::State& run, const char* method, double steps_per_second) {
