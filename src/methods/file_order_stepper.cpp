@@ -12,8 +12,14 @@ void FileOrderStepper::load(const State& state) {
 }
 
 void SwappingStepper::copy_to_work(const State& state) {
+  begin_work(state);
   position_ = state.position;
   velocity_ = state.velocity;
+}
+
+void SwappingStepper::begin_work(const State& state) {
+  position_.resize(state.position.size());
+  velocity_.resize(state.velocity.size());
   tension_ = state.tension;
   kick_before_ = state.unanswered_kick;
   tension_before_ = state.tension_before;

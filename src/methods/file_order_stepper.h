@@ -32,8 +32,10 @@ class SwappingStepper : public FileOrderStepper {
   void undo() final;
 
  protected:
-  /// Begins a step: the work is a copy of the state.
+  /// Begins a step: the work is a copy of the state …
   void copy_to_work(const State& state);
+  /// … or as large as that, with a copy of its tensions.
+  void begin_work(const State& state);
   /// Ends one: swaps the work in and moves the time on, or reports not_finite and changes nothing.
   void take_over(State& state, double end_time, StepReport& report);
 

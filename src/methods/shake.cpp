@@ -16,7 +16,7 @@
 // Damping and wind, which depend on velocity, meet one without it: the links' answer to that half kick is
 // half a step of their tension.
 //
-// Tension: (1 + drag h/2) Σ q |d₀|/h² is the tension Tₙ at the start of the step, by x_{n+1} − 2 xₙ + x_{n−1}
+// Tension: (1 + drag h/2) Σ q l/h² is the tension Tₙ at the start of the step, by x_{n+1} − 2 xₙ + x_{n−1}
 // = h² a, to second order. Its end has 2 Tₙ − T_{n−1}; and where there is no T_{n−1}, or the step is not as
 // long as the last one, the Σ q of another step from there, which is not made.
 
@@ -25,7 +25,6 @@
 #include <utility>
 
 #include "contact/joint_resistance.h"
-#include "direct/link_system.h"
 #include "file_order_stepper.h"
 #include "forces/forces.h"
 #include "forces/half_kicks.h"
@@ -53,8 +52,7 @@ class ShakeStepper final : public SwappingStepper {
  private:
   void links_changed(const State& state) override {
     relaxation_.links_changed(state);
-    packed_ = relaxation_.room();
-    links_ = gather(model_, relaxation_.links());
+    packed_ = packed_start_ = relaxation_.room();
     passes_.links_changed(relaxation_.links());
     kicks_.links_changed(state);
   }
@@ -64,7 +62,7 @@ class ShakeStepper final : public SwappingStepper {
     // Only then is Tₙ of second order.
     const bool as_last = state.unanswered_kick == half;
     StepReport report;
-    copy_to_work(state);
+    begin_work(state);
     if (!move(state, h, end_time, report)) return report;
     put_start_tensions(h, state.unanswered_kick, tension_);
     start_tension_ = tension_;
@@ -74,13 +72,13 @@ class ShakeStepper final : public SwappingStepper {
     kicks_.end(state, end_time, half, position_, kicked_, velocity_, tension_);
     const bool continued = as_last && !state.tension_before.empty();
     if (continued)
-      for (const Index link : links_.link)
+      for (const Index link : relaxation_.links())
         tension_[link] = 2.0 * start_tension_[link] - state.tension_before[link];
     take_over(state, end_time, report);
     if (report.status != StepStatus::done) return report;
     joints_.keep(position_, state);  // where the step began
     state.unanswered_kick = half;
-    if (!continued && links_.size() > 0) probe_tensions(state, h, report);
+    if (!continued && relaxation_.size() > 0) probe_tensions(state, h, report);
     if (as_last)
       std::swap(state.tension_before, start_tension_);
     else
@@ -91,10 +89,12 @@ class ShakeStepper final : public SwappingStepper {
   // Positions at the end of a step, in position_, with the velocities on the way in kicked_ and what links
   // did in the multipliers.
   bool move(const State& state, double h, double end_time, StepReport& report) {
-    link_vectors(links_, state.position, start_direction_);
-    met_velocity_ = state.velocity;
-    if (kicks_.meet_velocity()) answer_kick(model_, state, met_velocity_);
-    kicks_.start(state, state.time, 0.5 * h, state.position, state.velocity, met_velocity_, kicked_);
+    if (kicks_.meet_velocity()) {
+      met_velocity_ = state.velocity;
+      answer_kick(model_, state, met_velocity_);
+    }
+    kicks_.start(state, state.time, 0.5 * h, state.position, state.velocity,
+                 kicks_.meet_velocity() ? met_velocity_ : state.velocity, kicked_);
     joints_.act(state, h, 1.0, kicked_);
     drift(h, state.position, kicked_, position_);
     place_pins(model_, end_time, position_, velocity_);
@@ -105,8 +105,8 @@ class ShakeStepper final : public SwappingStepper {
 
   // What the multipliers say of the start of a step of h seconds that has also answered the kick before it.
   void put_start_tensions(double h, double kick_before, std::vector<double>& tension) const {
-    relaxation_.give_multipliers((1.0 + 0.5 * h * model_.drag) / (h * (0.5 * h + kick_before)), tension);
-    for (std::size_t i = 0; i < links_.size(); ++i) tension[links_.link[i]] *= start_direction_.at(i).norm();
+    relaxation_.give_multipliers_along((1.0 + 0.5 * h * model_.drag) / (h * (0.5 * h + kick_before)),
+                                       tension);
   }
 
   void probe_tensions(State& state, double h, StepReport& report) {
@@ -121,12 +121,12 @@ class ShakeStepper final : public SwappingStepper {
   }
 
   bool relax(const Vectors& start, double h, StepReport& report) {
-    relaxation_.load(start, packed_);
-    relaxation_.begin_step_along(packed_);
+    relaxation_.begin_step(1.0, 1.0);
+    relaxation_.load(start, packed_start_);
     relaxation_.load(position_, packed_);
     const bool judged = tolerance_ > 0.0;
     for (int made = 0; passes_.another(made, limits_.pushed(), start, position_, h); ++made) {
-      const AlongStart found = relaxation_.pass_along(made == 0, judged, packed_);
+      const AlongStart found = relaxation_.pass_along(packed_start_, packed_, made == 0, judged);
       if (found.lost()) {
         report.status = std::isfinite(found.lost_along) ? StepStatus::direction_lost : StepStatus::not_finite;
         report.worst_link = found.lost_link;
@@ -148,13 +148,12 @@ class ShakeStepper final : public SwappingStepper {
   const Model& model_;
   PassControl passes_;
   Relaxation<double> relaxation_;
-  Relaxation<double>::Masses packed_;
+  Relaxation<double>::Masses packed_start_, packed_;
   double tolerance_;
   HalfKicks kicks_;
   LimitSolver limits_;
   JointResistance joints_;
-  SystemLinks links_;
-  Vectors kicked_, met_velocity_, start_direction_;
+  Vectors kicked_, met_velocity_;
   std::vector<double> start_tension_;
 };
 
@@ -197,7 +196,7 @@ Method shake_method() {
           "Ryckaert, Ciccotti and Berendsen (1977)",
           shake_params,
           can,
-          {15.0, 5.0, 0.0},
+          {6.0, 2.5, 0.0},
           make_shake,
           shake_refusal};
 }

@@ -42,7 +42,7 @@ Method verlet_method() {
           "Jakobsen, Advanced Character Physics (2001)",
           verlet_params,
           can,
-          {5.0, 6.0, 0.0},
+          {2.0, 2.5, 0.0},
           make_verlet};
 }
 

@@ -65,7 +65,7 @@ Method xpbd_method() {
           "Macklin et al., XPBD (2016); Small Steps in Physics Simulation (2019)",
           xpbd_params,
           can,
-          {6.0, 6.0, 0.0},
+          {2.0, 2.5, 0.0},
           make_xpbd,
           xpbd_refusal};
 }

@@ -15,7 +15,7 @@ void HalfKicks::links_changed(const State& state) {
 
 void HalfKicks::start(const State& whole, double time, double half, const Vectors& position,
                       const Vectors& velocity, const Vectors& met, Vectors& kicked) {
-  kicked = velocity;
+  kicked.resize(velocity.size());
   kick(model_, time, half, velocity, kicked, DragAt::start);
   kick_by_springs(springs_, half, position, met, kicked, spring_tension_);
   blow(model_, whole, position, met, time, half, kicked, DragAt::start);

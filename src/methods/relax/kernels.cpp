@@ -486,7 +486,7 @@ HWY_NOINLINE void note_lost(Lanes<double>::V along, std::size_t slot, AlongFound
 
 template <bool strided, bool weighted, bool first, bool judged>
 HWY_NOINLINE void relax_along(const LinkArrays<double>& all_links, const LinkStretch& stretch,
-                              const Packed<double>* direction, Packed<double>* position, AlongFound& found) {
+                              const Packed<double>* start, Packed<double>* position, AlongFound& found) {
   using L = Lanes<double>;
   using V = L::V;
   const L::Tag tag;
@@ -494,12 +494,11 @@ HWY_NOINLINE void relax_along(const LinkArrays<double>& all_links, const LinkStr
   const LinkArrays<double> links = all_links;
   const Ends<double, strided> a(links.a, stretch), b(links.b, stretch);
   [[maybe_unused]] const std::size_t special = stretch.special - stretch.begin;
-  const Strided rows{0, sizeof(Packed<double>)};
   [[maybe_unused]] V worst = zero;
   const auto correct = [&](std::size_t slot) TAUT_INLINED {
-    const Transposed<V> d0 = L::transposed(L::load(direction + slot, rows));
-    const Transposed<V> d =
-        L::transposed(L::minus(L::load(position, a.at(slot)), L::load(position, b.at(slot))));
+    const auto at_a = a.at(slot), at_b = b.at(slot);
+    const Transposed<V> d0 = L::transposed(L::minus(L::load(start, at_a), L::load(start, at_b)));
+    const Transposed<V> d = L::transposed(L::minus(L::load(position, at_a), L::load(position, at_b)));
     const V length = hn::LoadU(tag, links.length + slot), square = hn::Mul(length, length);
     const V along = dot(d, d0), excess = hn::Sub(dot(d, d), square);
     const auto turned_less = hn::Gt(along, zero);
@@ -521,8 +520,8 @@ HWY_NOINLINE void relax_along(const LinkArrays<double>& all_links, const LinkStr
   };
   const auto move = [&](std::size_t slot, const Moves<double>& moves) TAUT_INLINED {
     const auto at_a = a.at(slot), at_b = b.at(slot);
-    move_links<double, weighted>(moves, L::load(direction + slot, rows), L::load(position, at_a),
-                                 L::load(position, at_b), at_a, at_b, position);
+    move_links<double, weighted>(moves, L::minus(L::load(start, at_a), L::load(start, at_b)),
+                                 L::load(position, at_a), L::load(position, at_b), at_a, at_b, position);
   };
   for_each_group(stretch.begin, stretch.end, L::count, correct, move);
   if constexpr (judged) {
@@ -534,27 +533,26 @@ HWY_NOINLINE void relax_along(const LinkArrays<double>& all_links, const LinkStr
 
 template <bool first, bool judged>
 HWY_INLINE AlongFound relax_each_along(const LinkArrays<double>& links,
-                                       std::span<const LinkStretch> stretches,
-                                       const Packed<double>* direction, Packed<double>* position) {
+                                       std::span<const LinkStretch> stretches, const Packed<double>* start,
+                                       Packed<double>* position) {
   AlongFound found;
   for (const LinkStretch& stretch : stretches)
     if (stretch.weighted)
-      relax_along<false, true, first, judged>(links, stretch, direction, position, found);
+      relax_along<false, true, first, judged>(links, stretch, start, position, found);
     else if (stretch.stride == 0)
-      relax_along<false, false, first, judged>(links, stretch, direction, position, found);
+      relax_along<false, false, first, judged>(links, stretch, start, position, found);
     else
-      relax_along<true, false, first, judged>(links, stretch, direction, position, found);
+      relax_along<true, false, first, judged>(links, stretch, start, position, found);
   return found;
 }
 
 AlongFound relax_all_along(const LinkArrays<double>& links, std::span<const LinkStretch> stretches,
-                           const Packed<double>* direction, bool first, bool judged,
-                           Packed<double>* position) {
+                           const Packed<double>* start, bool first, bool judged, Packed<double>* position) {
   if (first)
-    return judged ? relax_each_along<true, true>(links, stretches, direction, position)
-                  : relax_each_along<true, false>(links, stretches, direction, position);
-  return judged ? relax_each_along<false, true>(links, stretches, direction, position)
-                : relax_each_along<false, false>(links, stretches, direction, position);
+    return judged ? relax_each_along<true, true>(links, stretches, start, position)
+                  : relax_each_along<true, false>(links, stretches, start, position);
+  return judged ? relax_each_along<false, true>(links, stretches, start, position)
+                : relax_each_along<false, false>(links, stretches, start, position);
 }
 
 }  // namespace taut::HWY_NAMESPACE
@@ -583,22 +581,8 @@ bool relax_along_present(const LinkArrays<float>& links, std::span<const LinkStr
 }
 
 AlongFound relax_along_start(const LinkArrays<double>& links, std::span<const LinkStretch> stretches,
-                             const Packed<double>* direction, bool first, bool judged,
-                             Packed<double>* position) {
-  return HWY_DYNAMIC_DISPATCH(relax_all_along)(links, stretches, direction, first, judged, position);
-}
-
-void link_directions(const LinkArrays<double>& links, std::span<const LinkStretch> stretches,
-                     const Packed<double>* position, Packed<double>* direction) {
-  const auto at = [position](std::uint32_t offset) -> const Packed<double>& {
-    return position[offset / sizeof(Packed<double>)];
-  };
-  for (const LinkStretch& stretch : stretches)
-    for (std::size_t slot = stretch.begin; slot < stretch.end; ++slot) {
-      const Packed<double>&on_a = at(end_offset<double>(links.a, stretch, slot)),
-            &on_b = at(end_offset<double>(links.b, stretch, slot));
-      direction[slot] = {on_a.x - on_b.x, on_a.y - on_b.y, on_a.z - on_b.z, 0.0};
-    }
+                             const Packed<double>* start, bool first, bool judged, Packed<double>* position) {
+  return HWY_DYNAMIC_DISPATCH(relax_all_along)(links, stretches, start, first, judged, position);
 }
 
 }  // namespace taut

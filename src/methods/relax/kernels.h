@@ -97,13 +97,8 @@ struct AlongFound {
   double lost_along = 0.0;     ///< … and its d·d₀ (m²)
 };
 
-/// One pass of rigid links along these directions, one a slot. Lost links are left as they are.
+/// One pass of rigid links along their directions at `start`. Lost links are left as they are.
 AlongFound relax_along_start(const LinkArrays<double>& links, std::span<const LinkStretch> stretches,
-                             const Packed<double>* direction, bool first, bool judged,
-                             Packed<double>* position);
-
-/// direction[slot] = position[a] − position[b], for every link of these stretches.
-void link_directions(const LinkArrays<double>& links, std::span<const LinkStretch> stretches,
-                     const Packed<double>* position, Packed<double>* direction);
+                             const Packed<double>* start, bool first, bool judged, Packed<double>* position);
 
 }  // namespace taut

@@ -234,17 +234,10 @@ bool Relaxation<Real>::pass(const Masses& start, Masses& position, PassPlace pla
 }
 
 template <class Real>
-void Relaxation<Real>::begin_step_along(const Masses& start) requires std::same_as<Real, double> {
-  begin_step(1.0, 1.0);
-  direction_.resize(visited_.size());
-  link_directions(arrays(), stretches_, start.data(), direction_.data());
-}
-
-template <class Real>
-AlongStart Relaxation<Real>::pass_along(bool first, bool judged,
-                                        Masses& position) requires std::same_as<Real, double> {
+AlongStart Relaxation<Real>::pass_along(const Masses& start, Masses& position, bool first,
+                                        bool judged) requires std::same_as<Real, double> {
   const AlongFound found =
-      relax_along_start(arrays(), stretches_, direction_.data(), first, judged, position.data());
+      relax_along_start(arrays(), stretches_, start.data(), first, judged, position.data());
   AlongStart result;
   result.worst = found.worst;
   if (found.lost != AlongFound::nowhere) {
@@ -290,6 +283,13 @@ void Relaxation<Real>::give_multipliers(double scale, std::vector<double>& value
   for (std::size_t slot = 0; slot < visited_.size(); ++slot)
     if (visited_[slot] != no_link)
       values[visited_[slot]] = static_cast<double>(arrays_.multiplier[slot]) * scale;
+}
+
+template <class Real>
+void Relaxation<Real>::give_multipliers_along(double scale, std::vector<double>& values) const {
+  for (std::size_t slot = 0; slot < visited_.size(); ++slot)
+    if (visited_[slot] != no_link)
+      values[visited_[slot]] = static_cast<double>(arrays_.multiplier[slot] * arrays_.length[slot]) * scale;
 }
 
 template class Relaxation<double>;

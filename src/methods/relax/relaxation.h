@@ -62,21 +62,21 @@ class Relaxation {
   /// the result: as relax_along_present() has it.
   bool pass(const Masses& start, Masses& position, PassPlace place, const FreeMotion<Real>* motion = nullptr);
 
-  /// Begins a step of rigid links alone, along their directions d₀ at its start.
-  void begin_step_along(const Masses& start) requires std::same_as<Real, double>;
-
-  /// One pass along those directions (SHAKE):
+  /// One pass of rigid links along their directions d₀ at `start`, the step's (SHAKE):
   ///   q = (|d|² − l²) / (2 (w_a + w_b) d·d₀),  x_a ← x_a − w_a q d₀,  x_b ← x_b + w_b q d₀,  λ ← λ + q
   /// `judged`: the result says how good lengths were.
-  AlongStart pass_along(bool first, bool judged, Masses& position) requires std::same_as<Real, double>;
+  AlongStart pass_along(const Masses& start, Masses& position, bool first,
+                        bool judged) requires std::same_as<Real, double>;
 
   /// Where a free mass lies in such room.
   Index place(Index mass) const { return place_[mass]; }
   /// λ of a link that is visited: the sum over the passes of the step.
   Real multiplier(Index link) const { return arrays_.multiplier[slot_[link]]; }
 
-  /// values[link] = scale·λ, with the sum λ over the passes of the step.
+  /// values[link] = scale·λ, with the sum λ over the passes of the step; after passes along the start, λ
+  /// times the link's length.
   void give_multipliers(double scale, std::vector<double>& values) const;
+  void give_multipliers_along(double scale, std::vector<double>& values) const;
 
  private:
   struct Arrays {
@@ -113,7 +113,6 @@ class Relaxation {
   std::vector<LinkStretch> stretches_;
   Arrays arrays_;
   Real settled_h_ = 0, settled_answer_ = 0;  // what the arrays of special links hold for
-  Masses direction_;
 };
 
 extern template class Relaxation<double>;
