@@ -40,10 +40,10 @@ namespace {
 
 class ShakeStepper final : public SwappingStepper {
  public:
-  ShakeStepper(const Model& model, PassCounts passes, double tolerance)
+  ShakeStepper(const Model& model, PassCounts passes, double tolerance, const Execution& execution)
       : model_(model),
         passes_(model, passes),
-        relaxation_(model, Relaxation<double>::Visits::rigid),
+        relaxation_(model, execution, Relaxation<double>::Visits::rigid),
         tolerance_(tolerance),
         kicks_(model, 2.0),
         limits_(model),
@@ -171,8 +171,10 @@ constexpr std::array shake_params{
           "passes end early once every squared length was within this share of its own"},
 };
 
-std::unique_ptr<Stepper> make_shake(const Model& model, const Settings& settings, const Execution&) {
-  return std::make_unique<ShakeStepper>(model, pass_counts(settings), settings.number("tolerance"));
+std::unique_ptr<Stepper> make_shake(const Model& model, const Settings& settings,
+                                    const Execution& execution) {
+  return std::make_unique<ShakeStepper>(model, pass_counts(settings), settings.number("tolerance"),
+                                        execution);
 }
 
 std::string shake_refusal(const Model& model, const State& start, const Settings& settings) {

@@ -22,8 +22,9 @@ namespace {
 
 constexpr std::array verlet_params{steps_per_second_param(600.0), passes_param(1.0), impact_passes_param()};
 
-std::unique_ptr<Stepper> make_verlet(const Model& model, const Settings& settings, const Execution&) {
-  return make_relaxation_stepper(model, pass_counts(settings), Kicks::halves);
+std::unique_ptr<Stepper> make_verlet(const Model& model, const Settings& settings,
+                                     const Execution& execution) {
+  return make_relaxation_stepper(model, pass_counts(settings), Kicks::halves, execution);
 }
 
 }  // namespace

@@ -33,11 +33,11 @@ constexpr std::array xpbd_params{
           "of positions and velocities; single is quicker, and shows what rounding does"},
 };
 
-std::unique_ptr<Stepper> make_xpbd(const Model& model, const Settings& settings, const Execution&) {
+std::unique_ptr<Stepper> make_xpbd(const Model& model, const Settings& settings, const Execution& execution) {
   const PassCounts passes = pass_counts(settings);
   if (settings.choice("precision") == "single")
-    return make_single_relaxation_stepper(model, passes, Kicks::whole);
-  return make_relaxation_stepper(model, passes, Kicks::whole);
+    return make_single_relaxation_stepper(model, passes, Kicks::whole, execution);
+  return make_relaxation_stepper(model, passes, Kicks::whole, execution);
 }
 
 std::string xpbd_refusal(const Model& model, const State&, const Settings& settings) {

@@ -1,5 +1,6 @@
 // The relaxation methods' cost per link and pass on square sheets with diagonals, hung by two corners,
-// integration and all overhead in, one pass a step: as the sheet has its links, and in a shuffled order.
+// integration and all overhead in, one pass a step, on one thread and on two: as the sheet has its links, and
+// in a shuffled order.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -39,13 +40,13 @@ void shuffle_links(Links& links) {
   }
 }
 
-void pass_over_a_sheet(benchmark::State& run, const char* name, const char* precision) {
+void pass_over_a_sheet(benchmark::State& run, const char* name, const char* precision, int threads) {
   Built built = sheet(static_cast<int>(run.range(0)));
   if (run.range(1) != 0) shuffle_links(built.model.links);
   constexpr double rate = 2400.0;
   Settings how = bench::settings(name, rate);
   if (*precision != '\0') how.values["precision"] = std::string(precision);
-  Run moving(built.model, built.start, complete_settings(how));
+  Run moving(built.model, built.start, complete_settings(how), {}, {std::make_shared<Workers>(threads)});
   moving.step();
   const std::int64_t before = moving.report().counts.link_solves;
   for (auto round : run) moving.step();
@@ -57,10 +58,13 @@ void pass_over_a_sheet(benchmark::State& run, const char* name, const char* prec
 #define PASS_OVER_A_SHEET(label, ...)                      \
   BENCHMARK_CAPTURE(pass_over_a_sheet, label, __VA_ARGS__) \
       ->ArgsProduct({{64, 256, 1024}, {0, 1}})             \
-      ->ArgNames({"size", "shuffled"})
-PASS_OVER_A_SHEET(xpbd, "xpbd", "");
-PASS_OVER_A_SHEET(xpbd_single, "xpbd", "single");
-PASS_OVER_A_SHEET(verlet, "verlet", "");
-PASS_OVER_A_SHEET(shake, "shake", "");
+      ->ArgNames({"size", "shuffled"})                     \
+      ->UseRealTime()
+PASS_OVER_A_SHEET(xpbd, "xpbd", "", 1);
+PASS_OVER_A_SHEET(xpbd_on_2_threads, "xpbd", "", 2);
+PASS_OVER_A_SHEET(xpbd_single, "xpbd", "single", 1);
+PASS_OVER_A_SHEET(xpbd_single_on_2_threads, "xpbd", "single", 2);
+PASS_OVER_A_SHEET(verlet, "verlet", "", 1);
+PASS_OVER_A_SHEET(shake, "shake", "", 1);
 
 }  // namespace

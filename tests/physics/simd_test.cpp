@@ -1,4 +1,5 @@
-// The same bits whatever vector instructions the kernels use, and whichever of the steppers makes the step.
+// The same bits whatever vector instructions the kernels use, on any number of threads, and whichever of the
+// steppers makes the step.
 
 #include "methods/simd.h"
 
@@ -18,8 +19,9 @@ struct BestSimdAgain {
   ~BestSimdAgain() { force_simd(""); }
 };
 
-std::uint64_t hash_of(const Model& model, const State& start, const Settings& settings, std::int64_t steps) {
-  taut::Run run(model, start, settings);
+std::uint64_t hash_of(const Model& model, const State& start, const Settings& settings, std::int64_t steps,
+                      const Execution& execution = {}) {
+  taut::Run run(model, start, settings, {}, execution);
   while (run.steps() < steps && run.step()) {
   }
   EXPECT_FALSE(run.ended()) << run.failure();
@@ -60,6 +62,16 @@ TEST_P(Simd, EveryTargetGivesTheSameBits) {
       ASSERT_EQ(simd_targets(), std::vector{target});
       EXPECT_EQ(hash_of(scene.model, scene.start, settings, 5), best) << target << ' ' << settings.method;
     }
+  }
+}
+
+TEST_P(Simd, AnyNumberOfThreadsGivesTheSameBits) {
+  const Scene scene = scene_called(GetParam());
+  for (const Settings& settings : relaxations(scene)) {
+    const std::uint64_t alone = hash_of(scene.model, scene.start, settings, 20);
+    for (const int threads : {2, 3, 8})
+      EXPECT_EQ(hash_of(scene.model, scene.start, settings, 20, {std::make_shared<Workers>(threads)}), alone)
+          << threads << ' ' << settings.method;
   }
 }
 

@@ -80,14 +80,16 @@ void plain_pass(const Model& model, Vectors& position) {
     }
 }
 
-TEST(Relaxation, AnyOrderGivesTheBitsOfColourByColour) {
+class AnyOrder : public ::testing::TestWithParam<int> {};
+
+TEST_P(AnyOrder, GivesTheBitsOfColourByColour) {
   std::mt19937 random(3);
   const Model model = shuffled_sheet(random);
   State state;
   state.broken_at.assign(model.links.size(), infinity);
   const auto number = [&] { return static_cast<double>(random()) / 4294967296.0; };
   for (Index i = 0; i < side * side; ++i) state.position.push_back({number(), number(), number()});
-  Relaxation<double> relaxation(model);
+  Relaxation<double> relaxation(model, {std::make_shared<Workers>(GetParam())});
   relaxation.links_changed(state);
   EXPECT_EQ(relaxation.size(), static_cast<std::int64_t>(solvable_links(model).size()));
   auto packed = relaxation.room(), start = packed;
@@ -95,12 +97,22 @@ TEST(Relaxation, AnyOrderGivesTheBitsOfColourByColour) {
   relaxation.load(relaxed, packed);
   relaxation.begin_step(1.0, 1.0);
   for (int pass = 0; pass < 2; ++pass) {
-    relaxation.pass(start, packed, {pass == 0, pass == 1});
+    EXPECT_TRUE(relaxation.pass(start, packed, {pass == 0, pass == 1}));
     plain_pass(model, expected);
   }
   relaxation.give(packed, relaxed);
   EXPECT_EQ(relaxed, expected);
+  // Wherever a mass is that is no longer a number, it is found.
+  for (Index mass = 0; mass < side * side; mass += 7) {
+    if (model.masses.pinned(mass)) continue;
+    Vectors lost = state.position;
+    lost.y[mass] = infinity;
+    relaxation.load(lost, packed);
+    EXPECT_FALSE(relaxation.pass(start, packed, {true, true})) << mass;
+  }
 }
+
+INSTANTIATE_TEST_SUITE_P(Threads, AnyOrder, ::testing::Values(1, 2, 3, 8));
 
 }  // namespace
 }  // namespace taut

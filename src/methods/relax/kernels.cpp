@@ -434,11 +434,19 @@ HWY_INLINE bool finite(const Packed<Real>* masses, std::size_t begin, std::size_
   return hn::AllTrue(tag, good);
 }
 
+bool finite_doubles(const Packed<double>* masses, std::size_t begin, std::size_t end) {
+  return finite<double>(masses, begin, end);
+}
+
+bool finite_singles(const Packed<float>* masses, std::size_t begin, std::size_t end) {
+  return finite<float>(masses, begin, end);
+}
+
 template <class Real>
 HWY_INLINE bool relax_stretches(const LinkArrays<Real>& links, std::span<const LinkStretch> stretches,
-                                const Packed<Real>* start, const FreeMotion<Real>* motion, std::size_t masses,
-                                PassPlace place, Packed<Real>* position) {
-  std::size_t begun = 0, done = 0;
+                                const Packed<Real>* start, const FreeMotion<Real>* motion,
+                                const MassRange& masses, PassPlace place, Packed<Real>* position) {
+  std::size_t begun = masses.begin, done = masses.settled_begin;
   bool good = true;
   const auto begin_until = [&](std::size_t end) TAUT_INLINED {
     if (motion != nullptr && end > begun) move_range(*motion, begun, end, position);
@@ -452,36 +460,33 @@ HWY_INLINE bool relax_stretches(const LinkArrays<Real>& links, std::span<const L
     begin_until(stretch.begun);
     place.first ? relax_stretch<Real, true>(links, stretch, start, position)
                 : relax_stretch<Real, false>(links, stretch, start, position);
-    end_until(std::min(stretch.done, begun));
+    end_until(std::min({stretch.done, begun, masses.settled_end}));
   }
-  begin_until(masses);
-  end_until(masses);
+  begin_until(masses.end);
+  end_until(masses.settled_end);
   return good;
 }
 
 bool relax_doubles(const LinkArrays<double>& links, std::span<const LinkStretch> stretches,
-                   const Packed<double>* start, const FreeMotion<double>* motion, std::size_t masses,
+                   const Packed<double>* start, const FreeMotion<double>* motion, const MassRange& masses,
                    PassPlace place, Packed<double>* position) {
   return relax_stretches<double>(links, stretches, start, motion, masses, place, position);
 }
 
 bool relax_singles(const LinkArrays<float>& links, std::span<const LinkStretch> stretches,
-                   const Packed<float>* start, const FreeMotion<float>* motion, std::size_t masses,
+                   const Packed<float>* start, const FreeMotion<float>* motion, const MassRange& masses,
                    PassPlace place, Packed<float>* position) {
   return relax_stretches<float>(links, stretches, start, motion, masses, place, position);
 }
 
-// Notes the first link that has turned by 90° or more.
+// Notes those links that have turned by 90° or more.
 HWY_NOINLINE void note_lost(Lanes<double>::V along, std::size_t slot, AlongFound& found) {
-  constexpr std::size_t count = Lanes<double>::count;
-  if (slot >= found.lost) return;
-  double lanes[count];
+  double lanes[Lanes<double>::count];
   hn::StoreU(along, Lanes<double>::Tag(), lanes);
-  for (std::size_t i = count; i-- > 0;)
-    if (!(lanes[i] > 0.0)) {
-      found.lost = slot + i;
-      found.lost_along = lanes[i];
-    }
+  for (const double value : lanes) {
+    if (!(value > 0.0)) found.lost.push_back({slot, value});
+    ++slot;
+  }
 }
 
 template <bool strided, bool weighted, bool first, bool judged>
@@ -564,20 +569,32 @@ namespace taut {
 
 HWY_EXPORT(relax_doubles);
 HWY_EXPORT(relax_singles);
+HWY_EXPORT(finite_doubles);
+HWY_EXPORT(finite_singles);
 HWY_EXPORT(relax_all_along);
 
 template <>
 bool relax_along_present(const LinkArrays<double>& links, std::span<const LinkStretch> stretches,
-                         const Packed<double>* start, const FreeMotion<double>* motion, std::size_t masses,
-                         PassPlace place, Packed<double>* position) {
+                         const Packed<double>* start, const FreeMotion<double>* motion,
+                         const MassRange& masses, PassPlace place, Packed<double>* position) {
   return HWY_DYNAMIC_DISPATCH(relax_doubles)(links, stretches, start, motion, masses, place, position);
 }
 
 template <>
 bool relax_along_present(const LinkArrays<float>& links, std::span<const LinkStretch> stretches,
-                         const Packed<float>* start, const FreeMotion<float>* motion, std::size_t masses,
+                         const Packed<float>* start, const FreeMotion<float>* motion, const MassRange& masses,
                          PassPlace place, Packed<float>* position) {
   return HWY_DYNAMIC_DISPATCH(relax_singles)(links, stretches, start, motion, masses, place, position);
+}
+
+template <>
+bool are_finite(const Packed<double>* position, std::size_t begin, std::size_t end) {
+  return HWY_DYNAMIC_DISPATCH(finite_doubles)(position, begin, end);
+}
+
+template <>
+bool are_finite(const Packed<float>* position, std::size_t begin, std::size_t end) {
+  return HWY_DYNAMIC_DISPATCH(finite_singles)(position, begin, end);
 }
 
 AlongFound relax_along_start(const LinkArrays<double>& links, std::span<const LinkStretch> stretches,

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "relax/packed.h"
 
@@ -80,21 +81,35 @@ struct PassPlace {
   bool first = true, last = true;
 };
 
+/// Masses, by their places, that some stretches are about: they move freely just ahead of the first link that
+/// may touch them, and are looked at after the last one.
+struct MassRange {
+  std::size_t begin = 0, end = 0;
+  std::size_t settled_begin = 0, settled_end = 0;  ///< those of them to be looked at
+};
+
 /// One pass along the present directions over these stretches. `start` is read where links are damped. With a
-/// `motion` the free masses, the first so many, come to `position` by it just ahead of the links that touch
-/// them. True when all of them are finite in the end; looked at only in the
-/// last pass.
+/// `motion` masses come to `position` by it. True when those to be looked at are finite in the end; they are
+/// only in the last pass.
 template <class Real>
 bool relax_along_present(const LinkArrays<Real>& links, std::span<const LinkStretch> stretches,
-                         const Packed<Real>* start, const FreeMotion<Real>* motion, std::size_t masses,
+                         const Packed<Real>* start, const FreeMotion<Real>* motion, const MassRange& masses,
                          PassPlace place, Packed<Real>* position);
+
+/// Whether the masses [begin, end) are finite.
+template <class Real>
+bool are_finite(const Packed<Real>* position, std::size_t begin, std::size_t end);
+
+/// A link that has turned by 90° or more within a step, or is not finite.
+struct LostLink {
+  std::size_t slot;
+  double along;  ///< its d·d₀ (m²)
+};
 
 /// What a pass along the directions at the start of the step found.
 struct AlongFound {
-  static constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
-  double worst = 0.0;          ///< largest ||d|² − l²|/l² that it met; 0 unless asked for
-  std::size_t lost = nowhere;  ///< first slot whose link has turned by 90° or more, or is not finite …
-  double lost_along = 0.0;     ///< … and its d·d₀ (m²)
+  double worst = 0.0;  ///< largest ||d|² − l²|/l² that it met; 0 unless asked for
+  std::vector<LostLink> lost;
 };
 
 /// One pass of rigid links along their directions at `start`. Lost links are left as they are.

@@ -20,8 +20,8 @@ Packed<Real> packed_gain(const Vec3& gain) {
 template <class Real>
 class PackedStepper final : public Stepper {
  public:
-  PackedStepper(const Model& model, int passes, Kicks kicks)
-      : model_(model), passes_(passes), kicks_(kicks), links_(model) {}
+  PackedStepper(const Model& model, int passes, Kicks kicks, const Execution& execution)
+      : model_(model), passes_(passes), kicks_(kicks), links_(model, execution) {}
 
   void load(const State& state) override {
     const bool changed = !loaded_ || state.broken_at != state_.broken_at;
@@ -137,11 +137,12 @@ bool only_links(const Model& model) {
 }
 
 template <class Real>
-std::unique_ptr<Stepper> make_packed_stepper(const Model& model, int passes, Kicks kicks) {
-  return std::make_unique<PackedStepper<Real>>(model, passes, kicks);
+std::unique_ptr<Stepper> make_packed_stepper(const Model& model, int passes, Kicks kicks,
+                                             const Execution& execution) {
+  return std::make_unique<PackedStepper<Real>>(model, passes, kicks, execution);
 }
 
-template std::unique_ptr<Stepper> make_packed_stepper<double>(const Model&, int, Kicks);
-template std::unique_ptr<Stepper> make_packed_stepper<float>(const Model&, int, Kicks);
+template std::unique_ptr<Stepper> make_packed_stepper<double>(const Model&, int, Kicks, const Execution&);
+template std::unique_ptr<Stepper> make_packed_stepper<float>(const Model&, int, Kicks, const Execution&);
 
 }  // namespace taut

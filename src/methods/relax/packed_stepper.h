@@ -13,6 +13,7 @@ bool only_links(const Model& model);
 /// bits: masses stay packed, and a State is made of them when one is asked for. In single precision (Real:
 /// float) all that moves is a float.
 template <class Real>
-std::unique_ptr<Stepper> make_packed_stepper(const Model& model, int passes, Kicks kicks);
+std::unique_ptr<Stepper> make_packed_stepper(const Model& model, int passes, Kicks kicks,
+                                             const Execution& execution);
 
 }  // namespace taut

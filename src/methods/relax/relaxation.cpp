@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <map>
 #include <utility>
 
 #include "model/parts.h"
 #include "relax/visit_order.h"
+#include "relax/visit_parts.h"
 
 namespace taut {
 namespace {
@@ -25,11 +27,14 @@ Packed<Real> packed(const Vectors& vectors, Index i) {
           Real(0)};
 }
 
+// Below that, waiting for each other takes longer than the work.
+constexpr std::size_t fewest_to_share = 4000;
+
 }  // namespace
 
 template <class Real>
-Relaxation<Real>::Relaxation(const Model& model, Visits visits)
-    : model_(model), visits_(visits), equal_weight_(common_weight(model)) {}
+Relaxation<Real>::Relaxation(const Model& model, const Execution& execution, Visits visits)
+    : model_(model), visits_(visits), equal_weight_(common_weight(model)), workers_(execution.workers) {}
 
 template <class Real>
 void Relaxation<Real>::links_changed(const State& state) {
@@ -46,8 +51,12 @@ void Relaxation<Real>::links_changed(const State& state) {
   special_.clear();
   stretches_.clear();
   arrays_ = {};
-  for (const VisitOrder::Run& run : order.runs) add_run(run);
-  find_reach();
+  sections_.clear();
+  const bool shared = workers_ && links_.size() >= fewest_to_share;
+  const VisitParts parts = share_out(model_, order, shared ? static_cast<std::size_t>(workers_->count()) : 1);
+  for (const VisitParts::Part& part : parts.parts)
+    add_section(part.runs, {part.begin, part.end, part.settled_begin, part.settled_end});
+  if (parts.parts.size() > 1) add_section(parts.rest, {});
   slot_.assign(model_.links.size(), 0);
   for (std::size_t slot = 0; slot < visited_.size(); ++slot)
     if (visited_[slot] != no_link) slot_[visited_[slot]] = static_cast<std::uint32_t>(slot);
@@ -162,10 +171,18 @@ Index Relaxation<Real>::place_of(Index mass) {
   return place;
 }
 
-// What each stretch, and those before and after it, may touch of the free masses.
 template <class Real>
-void Relaxation<Real>::find_reach() {
-  std::size_t begun = 0, done = masses_.size();
+void Relaxation<Real>::add_section(const std::vector<std::vector<Index>>& runs, const MassRange& masses) {
+  const std::size_t begin = stretches_.size();
+  for (const std::vector<Index>& run : runs) add_run(run);
+  sections_.push_back({begin, stretches_.size(), masses});
+  find_reach(sections_.back());
+}
+
+// What each stretch of a section, and those before and after it, may touch of the free masses.
+template <class Real>
+void Relaxation<Real>::find_reach(const Section& section) {
+  std::size_t begun = section.masses.begin, done = section.masses.end;
   const auto visit_free = [&](const LinkStretch& stretch, const auto& visit) {
     for (std::size_t slot = stretch.begin; slot < stretch.end; ++slot)
       for (const auto* ends : {arrays_.a.data(), arrays_.b.data()})
@@ -173,13 +190,13 @@ void Relaxation<Real>::find_reach() {
             place < masses_.size())
           visit(place);
   };
-  for (LinkStretch& stretch : stretches_) {
-    visit_free(stretch, [&](std::size_t place) { begun = std::max(begun, place + 1); });
-    stretch.begun = begun;
+  for (std::size_t i = section.begin; i < section.end; ++i) {
+    visit_free(stretches_[i], [&](std::size_t place) { begun = std::max(begun, place + 1); });
+    stretches_[i].begun = begun;
   }
-  for (auto stretch = stretches_.rbegin(); stretch != stretches_.rend(); ++stretch) {
-    stretch->done = done;
-    visit_free(*stretch, [&](std::size_t place) { done = std::min(done, place); });
+  for (std::size_t i = section.end; i-- > section.begin;) {
+    stretches_[i].done = done;
+    visit_free(stretches_[i], [&](std::size_t place) { done = std::min(done, place); });
   }
 }
 
@@ -227,22 +244,59 @@ void Relaxation<Real>::begin_step(Real h, Real answer) {
 }
 
 template <class Real>
+std::span<const LinkStretch> Relaxation<Real>::stretches_of(const Section& section) const {
+  return std::span(stretches_).subspan(section.begin, section.end - section.begin);
+}
+
+template <class Real>
 bool Relaxation<Real>::pass(const Masses& start, Masses& position, PassPlace place,
                             const FreeMotion<Real>* motion) {
-  return relax_along_present<Real>(arrays(), stretches_, start.data(), motion, masses_.size(), place,
-                                   position.data());
+  const LinkArrays<Real> links = arrays();
+  const auto visit = [&](std::size_t i, const FreeMotion<Real>* moving) {
+    return relax_along_present<Real>(links, stretches_of(sections_[i]), start.data(), moving,
+                                     sections_[i].masses, place, position.data());
+  };
+  if (sections_.size() == 1) return visit(0, motion);
+  std::atomic<bool> finite{true};
+  workers_->run([&](int part) {
+    if (!visit(static_cast<std::size_t>(part), motion)) finite.store(false);
+  });
+  visit(sections_.size() - 1, nullptr);
+  return finite.load() && (!place.last || unsettled_are_finite(position));
+}
+
+// The masses around where two parts meet.
+template <class Real>
+bool Relaxation<Real>::unsettled_are_finite(const Masses& position) const {
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i + 1 < sections_.size(); ++i) {
+    if (!are_finite(position.data(), begin, sections_[i].masses.settled_begin)) return false;
+    begin = sections_[i].masses.settled_end;
+  }
+  return are_finite(position.data(), begin, masses_.size());
 }
 
 template <class Real>
 AlongStart Relaxation<Real>::pass_along(const Masses& start, Masses& position, bool first,
                                         bool judged) requires std::same_as<Real, double> {
-  const AlongFound found =
-      relax_along_start(arrays(), stretches_, start.data(), first, judged, position.data());
+  const LinkArrays<double> links = arrays();
+  const auto visit = [&](std::size_t i) {
+    return relax_along_start(links, stretches_of(sections_[i]), start.data(), first, judged, position.data());
+  };
+  std::vector<AlongFound> found(sections_.size());
+  if (sections_.size() > 1)
+    workers_->run(
+        [&](int part) { found[static_cast<std::size_t>(part)] = visit(static_cast<std::size_t>(part)); });
+  found.back() = visit(sections_.size() - 1);
   AlongStart result;
-  result.worst = found.worst;
-  if (found.lost != AlongFound::nowhere) {
-    result.lost_link = visited_[found.lost];
-    result.lost_along = found.lost_along;
+  for (const AlongFound& each : found) {
+    result.worst = std::max(result.worst, each.worst);
+    // The first one of the model, so that it is the same whatever the parts.
+    for (const LostLink& lost : each.lost)
+      if (visited_[lost.slot] < result.lost_link) {
+        result.lost_link = visited_[lost.slot];
+        result.lost_along = lost.along;
+      }
   }
   return result;
 }

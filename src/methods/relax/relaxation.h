@@ -3,8 +3,11 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <vector>
 
+#include "methods/method.h"
 #include "model/model.h"
 #include "model/state.h"
 #include "relax/kernels.h"
@@ -30,7 +33,8 @@ class Relaxation {
   /// Whether links with stiffness are visited, too.
   enum class Visits { all, rigid };
 
-  explicit Relaxation(const Model& model, Visits visits = Visits::all);
+  /// Small models stay on one thread, whatever there are.
+  explicit Relaxation(const Model& model, const Execution& execution, Visits visits = Visits::all);
 
   /// To be called before the first step and whenever links have broken.
   void links_changed(const State& state);
@@ -58,8 +62,8 @@ class Relaxation {
   /// 26):
   ///   Δλ = (l − |d| − α̃ λ − γ n·(d − d₀)) / ((1 + γ) w + α̃),  w = answer (w_a + w_b)
   ///   x_a ← x_a + answer w_a Δλ n,  x_b ← x_b − answer w_b Δλ n,  λ ← λ + Δλ
-  /// with α̃ = α/h², γ = α c/h of its compliance and damping; d₀ is d at `start`, the step's. `motion` and
-  /// the result: as relax_along_present() has it.
+  /// with α̃ = α/h², γ = α c/h of its compliance and damping; d₀ is d at `start`, the step's. `motion`:
+  /// free masses come to `position` by it first. False when one is not finite, looked at in the last pass.
   bool pass(const Masses& start, Masses& position, PassPlace place, const FreeMotion<Real>* motion = nullptr);
 
   /// One pass of rigid links along their directions d₀ at `start`, the step's (SHAKE):
@@ -89,13 +93,22 @@ class Relaxation {
     Index mass, place;
   };
 
+  // Stretches that one thread visits.
+  struct Section {
+    std::size_t begin, end;
+    MassRange masses;
+  };
+
   void add_run(const std::vector<Index>& run);
   void add_stretch(const std::vector<Index>& links, LinkStretch stretch);
   void add_strided(std::vector<Index>& links, const LinkStretch& kind);
   void add_slot(Index link, double length, const LinkStretch& stretch);
   std::size_t stride_of(const Index* links) const;
   Index place_of(Index mass);
-  void find_reach();
+  void add_section(const std::vector<std::vector<Index>>& runs, const MassRange& masses);
+  void find_reach(const Section& section);
+  bool unsettled_are_finite(const Masses& position) const;
+  std::span<const LinkStretch> stretches_of(const Section& section) const;
   void settle(Real h, Real answer);
   LinkArrays<Real> arrays();
 
@@ -111,6 +124,8 @@ class Relaxation {
   std::vector<Index> visited_;       // link by slot; no_link where a stretch is filled up
   std::vector<Index> special_;       // link by special place, the same
   std::vector<LinkStretch> stretches_;
+  std::vector<Section> sections_;  // of the threads; where there are several, one more for the rest
+  std::shared_ptr<Workers> workers_;
   Arrays arrays_;
   Real settled_h_ = 0, settled_answer_ = 0;  // what the arrays of special links hold for
 };

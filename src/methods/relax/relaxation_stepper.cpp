@@ -16,11 +16,11 @@ namespace {
 template <class Real>
 class RelaxationStepper final : public FileOrderStepper {
  public:
-  RelaxationStepper(const Model& model, PassCounts passes, Kicks kicks)
+  RelaxationStepper(const Model& model, PassCounts passes, Kicks kicks, const Execution& execution)
       : model_(model),
         kicks_(kicks),
         passes_(model, passes),
-        links_(model),
+        links_(model, execution),
         limits_and_contacts_(model),
         joints_(model) {}
 
@@ -95,19 +95,22 @@ class RelaxationStepper final : public FileOrderStepper {
 };
 
 template <class Real>
-std::unique_ptr<Stepper> make(const Model& model, PassCounts passes, Kicks kicks) {
-  if (only_links(model)) return make_packed_stepper<Real>(model, passes.ordinary, kicks);
-  return std::make_unique<RelaxationStepper<Real>>(model, passes, kicks);
+std::unique_ptr<Stepper> make(const Model& model, PassCounts passes, Kicks kicks,
+                              const Execution& execution) {
+  if (only_links(model)) return make_packed_stepper<Real>(model, passes.ordinary, kicks, execution);
+  return std::make_unique<RelaxationStepper<Real>>(model, passes, kicks, execution);
 }
 
 }  // namespace
 
-std::unique_ptr<Stepper> make_relaxation_stepper(const Model& model, PassCounts passes, Kicks kicks) {
-  return make<double>(model, passes, kicks);
+std::unique_ptr<Stepper> make_relaxation_stepper(const Model& model, PassCounts passes, Kicks kicks,
+                                                 const Execution& execution) {
+  return make<double>(model, passes, kicks, execution);
 }
 
-std::unique_ptr<Stepper> make_single_relaxation_stepper(const Model& model, PassCounts passes, Kicks kicks) {
-  return make<float>(model, passes, kicks);
+std::unique_ptr<Stepper> make_single_relaxation_stepper(const Model& model, PassCounts passes, Kicks kicks,
+                                                        const Execution& execution) {
+  return make<float>(model, passes, kicks, execution);
 }
 
 }  // namespace taut

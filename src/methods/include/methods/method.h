@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/workers.h"
 #include "model/model.h"
 #include "model/state.h"
 
@@ -105,9 +106,9 @@ struct StepReport {
   void add(const StepReport& other);
 };
 
-/// What a stepper runs on: so far one thread and plain kernels.
+/// What a stepper runs on. It changes no bit of what it does.
 struct Execution {
-  int workers = 1;
+  std::shared_ptr<Workers> workers;  ///< null: the calling thread alone
 };
 
 /// What of a state is looked at after every step: positions and velocities of masses, and tensions of links.
