@@ -72,8 +72,9 @@ Json spin_to_json(const Scene& scene, const State& end) {
 }
 
 // Simulates the scene to its end and tests what it expects there.
-void check_run(const Scene& scene, bool certify, const StopTest& stop, Verdict& verdict) {
-  Simulation simulation(scene);
+void check_run(const Scene& scene, const Execution& execution, bool certify, const StopTest& stop,
+               Verdict& verdict) {
+  Simulation simulation(scene, execution);
   std::optional<Certifier> certifier;
   if (certify) {
     certifier.emplace(scene, stop);
@@ -136,7 +137,7 @@ Verdict check_scene(const std::string& argument, const CheckFlags& flags, const 
     }
     if (flags.reference) verdict.json["reference"] = error_against_reference(scene, stop);
     if (flags.run)
-      check_run(scene, flags.certify, stop, verdict);
+      check_run(scene, flags.changes.execution(flags.certify ? 1 : 0), flags.certify, stop, verdict);
     else
       Simulation{scene};  // complains where the method can't do what the scene needs
   } catch (const BadRequest& problem) {
@@ -235,6 +236,7 @@ void add_check(CommandLine& program) {
   const auto flags = std::make_shared<CheckFlags>();
   verb->add_option("SCENE", flags->scenes, "Scene files, or bare names of `taut list scenes`")->required();
   flags->changes.add_changes_to(*verb);
+  flags->changes.add_threads_to(*verb);
   verb->add_flag("--explain", flags->explain,
                  "Say what each scene models, what it leaves out, and what each part costs per step");
   verb->add_flag("--run", flags->run,

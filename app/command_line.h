@@ -68,7 +68,8 @@ class CommandLine {
 
   Verb* add_subcommand(const std::string& name, const std::string& help);
   void footer(const std::string& text);
-  /// An option that every verb has that was added before; without it, an environment variable gives its value.
+  /// An option that every verb has that was added before; without it, an environment variable gives its
+  /// value.
   void add_everywhere(const std::string& names, const std::string& variable, std::string& value,
                       const std::string& help);
   /// What the arguments ask for; help and version are printed at once. Throws BadRequest where they make no

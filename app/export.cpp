@@ -126,7 +126,7 @@ int export_motion(const ExportFlags& flags) {
   return unless_interrupted(interrupts, "nothing was written", [&]() -> int {
     const StopTest stop = stop_test(interrupts);
     const std::optional<Plan> plan = settle_method(scene, flags.plan, flags.scene.method, flags.quiet, stop);
-    Simulation simulation(scene);
+    Simulation simulation(scene, flags.scene.execution(flags.certify ? 1 : 0));
     std::optional<Certifier> certifier;
     if (flags.certify) certifier.emplace(scene, stop);
     Sink sink(flags.file);
@@ -158,6 +158,7 @@ void add_export(CommandLine& program) {
   Verb* verb = program.add_subcommand("export", "The motion of a scene as a table, for other tools");
   const auto flags = std::make_shared<ExportFlags>();
   flags->scene.add_to(*verb);
+  flags->scene.add_threads_to(*verb);
   verb->add_option("--format", flags->format, "csv")->capture_default_str();
   verb->add_option("--table", flags->table, "masses, links or orientations")->capture_default_str();
   verb->add_option("--times", flags->times,

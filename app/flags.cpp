@@ -3,10 +3,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
+#include <memory>
 #include <span>
 #include <string_view>
+#include <thread>
 #include <utility>
 
 #include "base/failure.h"
@@ -56,6 +60,25 @@ void SceneFlags::add_changes_to(Verb& verb) {
   verb.add_option("--method", method, "Simulate with this method, one of `taut list methods`");
   verb.add_option("--set", sets, "Change a key of the scene: key=value, any number of times")
       ->allow_extra_args(false);
+}
+
+void SceneFlags::add_threads_to(Verb& verb) {
+  verb.add_option(
+      "--threads", threads,
+      "Step large scenes on so many threads, which changes no result [as many as there are cores, but "
+      "for what draws or certifies beside]");
+}
+
+Execution SceneFlags::execution(int busy) const {
+  constexpr int most = 256;
+  double count = static_cast<double>(std::thread::hardware_concurrency()) - busy;
+  if (!threads.empty()) {
+    count = parse_number("--threads", threads);
+    if (count < 1.0 || count > most || count != std::floor(count))
+      throw BadRequest(fmt::format("--threads is a whole number from 1 to {}, not {}", most, threads));
+  }
+  if (count < 2.0) return {};
+  return {std::make_shared<Workers>(static_cast<int>(std::min<double>(count, most)))};
 }
 
 SceneOverrides SceneFlags::overrides() const {

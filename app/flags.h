@@ -6,6 +6,7 @@
 
 #include "command_line.h"
 #include "frames/painter.h"
+#include "methods/method.h"
 #include "scene/scene.h"
 
 namespace taut {
@@ -15,12 +16,18 @@ struct SceneFlags {
   std::string scene;
   std::vector<std::string> sets;
   std::string method;
+  std::string threads;
 
   /// Adds the argument SCENE and the flags.
   void add_to(Verb& verb);
   /// Adds only the flags.
   void add_changes_to(Verb& verb);
+  /// Adds what execution() reads.
+  void add_threads_to(Verb& verb);
   SceneOverrides overrides() const;
+  /// What a run of the scene is to be stepped on: as many threads as asked for, or else as there are cores
+  /// beside so many that are busy with something else. Throws BadRequest.
+  Execution execution(int busy) const;
 };
 
 /// Reads the scene that an argument means. Throws BadRequest with all of its errors.

@@ -22,6 +22,7 @@ int render(const RenderFlags& flags) {
   print_notes(scene, flags.output.quiet);
   flags.output.picture.apply_to(scene);
   RenderRequest request = flags.output.request("out/" + scene.name);
+  request.execution = flags.scene.execution(flags.output.certify ? 2 : 1);
   const InterruptWatch interrupts(end_at_once);
   return unless_interrupted(interrupts, "nothing was written", [&] {
     const std::optional<Plan> plan =
@@ -37,6 +38,7 @@ void add_render(CommandLine& program) {
   Verb* verb = program.add_subcommand("render", "Simulate a scene and make frames and a film of it");
   const auto flags = std::make_shared<RenderFlags>();
   flags->scene.add_to(*verb);
+  flags->scene.add_threads_to(*verb);
   flags->plan.add_to(*verb);
   add_certify(*verb, flags->output.certify);
   flags->output.add_to(*verb, "out/<scene>");

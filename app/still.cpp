@@ -38,7 +38,7 @@ int still(const StillFlags& flags) {
   const InterruptWatch interrupts(end_at_once);
   const int status = unless_interrupted(interrupts, "nothing was written", [&] {
     plan = settle_method(scene, {}, flags.scene.method, flags.quiet, stop_test(interrupts));
-    note = make_still(scene, time, settings, flags.file, stop_test(interrupts));
+    note = make_still(scene, time, settings, flags.file, flags.scene.execution(0), stop_test(interrupts));
     return exit_done;
   });
   if (status != exit_done) return status;
@@ -59,6 +59,7 @@ void add_still(CommandLine& program) {
   Verb* verb = program.add_subcommand("still", "One picture of a scene at a time");
   const auto flags = std::make_shared<StillFlags>();
   flags->scene.add_to(*verb);
+  flags->scene.add_threads_to(*verb);
   verb->add_option("--at", flags->at, "The time, such as 2.5s")->required();
   verb->add_option("-o,--output", flags->file, "The PNG file; replaced when it exists")->required();
   flags->picture.add_to(*verb);

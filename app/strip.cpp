@@ -39,7 +39,7 @@ int strip(const StripFlags& flags) {
   const InterruptWatch interrupts(end_at_once);
   const int status = unless_interrupted(interrupts, "nothing was written", [&] {
     plan = settle_method(scene, {}, flags.scene.method, flags.quiet, stop_test(interrupts));
-    note = make_strip(scene, times, settings, flags.file, stop_test(interrupts));
+    note = make_strip(scene, times, settings, flags.file, flags.scene.execution(0), stop_test(interrupts));
     return exit_done;
   });
   if (status != exit_done) return status;
@@ -61,6 +61,7 @@ void add_strip(CommandLine& program) {
       program.add_subcommand("strip", "Pictures of a scene from start to end, side by side in one file");
   const auto flags = std::make_shared<StripFlags>();
   flags->scene.add_to(*verb);
+  flags->scene.add_threads_to(*verb);
   verb->add_option("--count", flags->count, "How many pictures")->capture_default_str();
   verb->add_option("-o,--output", flags->file, "The PNG file; replaced when it exists")->required();
   flags->picture.add_to(*verb);

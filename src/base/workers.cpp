@@ -1,30 +1,16 @@
 #include "base/workers.h"
 
-#if defined(__x86_64__) || defined(__i386__)
-#include <immintrin.h>
-#endif
-
 namespace taut {
 namespace {
 
-// Some ten microseconds.
-constexpr int looks_before_sleep = 1000;
-
-void breathe() {
-#if defined(__x86_64__) || defined(__i386__)
-  _mm_pause();
-#else
-  std::this_thread::yield();
-#endif
-}
+// Some hundred microseconds: to wake a thread can take nearly as long.
+constexpr int looks_before_sleep = 300000;
 
 // Waits until a value is no longer `old`.
 template <class Value>
 void wait_for_change(std::atomic<Value>& value, Value old) {
-  for (int look = 0; look < looks_before_sleep; ++look) {
+  for (int look = 0; look < looks_before_sleep; ++look)
     if (value.load(std::memory_order_acquire) != old) return;
-    breathe();
-  }
   value.wait(old, std::memory_order_acquire);
 }
 
@@ -41,12 +27,13 @@ Workers::~Workers() {
   for (std::thread& thread : threads_) thread.join();
 }
 
-void Workers::run(const std::function<void(int)>& task) {
-  task_ = &task;
+void Workers::run(const void* task, Call call) {
+  task_ = task;
+  call_ = call;
   left_.store(static_cast<int>(threads_.size()), std::memory_order_relaxed);
   round_.fetch_add(1, std::memory_order_release);
   round_.notify_all();
-  task(0);
+  call(task, 0);
   for (int left = left_.load(std::memory_order_acquire); left != 0;
        left = left_.load(std::memory_order_acquire))
     wait_for_change(left_, left);
@@ -57,7 +44,7 @@ void Workers::serve(int part) {
     wait_for_change(round_, round);
     if (ends_.load()) return;
     ++round;
-    (*task_)(part);
+    call_(task_, part);
     left_.fetch_sub(1, std::memory_order_acq_rel);
     left_.notify_one();
   }

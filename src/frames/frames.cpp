@@ -191,7 +191,8 @@ void Pipeline::shoot_film(Film& film) {
 
 RenderOutcome Pipeline::run() {
   const auto start = std::chrono::steady_clock::now();
-  PanelRuns runs(scenes_);  // first of all: what a method refuses is said before anything is written
+  PanelRuns runs(
+      scenes_, request_.execution);  // first of all: what a method refuses is said before anything is written
   if (job_.folder) job_.folder->begin();
   std::optional<Film> film;
   if (job_.make_film) start_film(film);

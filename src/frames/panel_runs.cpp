@@ -30,11 +30,11 @@ bool move_on(PanelState& panel, const std::function<std::optional<State>()>& nex
   return true;
 }
 
-PanelRuns::PanelRuns(std::span<const Scene> scenes) {
+PanelRuns::PanelRuns(std::span<const Scene> scenes, const Execution& execution) {
   simulations_.reserve(scenes.size());
   for (const Scene& scene : scenes) {
     try {
-      simulations_.emplace_back(scene);
+      simulations_.emplace_back(scene, execution);
     } catch (const BadRequest& refusal) {
       if (scenes.size() == 1) throw;
       throw BadRequest(fmt::format("the panel of {}: {}", panel_title(scene), refusal.what()));

@@ -26,7 +26,7 @@ class PanelRuns {
  public:
   /// Refers to the scenes, which differ in method and settings alone, from then on. Throws as Simulation
   /// does; of several, the message says whose panel's method it is.
-  explicit PanelRuns(std::span<const Scene> scenes);
+  explicit PanelRuns(std::span<const Scene> scenes, const Execution& execution = {});
 
   /// All of them at a time (s) that is not before the one asked for last; nothing when told to stop. A run
   /// that is alone throws what goes wrong in it; of several, those that fail stay where they were.

@@ -8,9 +8,9 @@
 namespace taut {
 namespace {
 
-Run run_of(const Scene& scene) {
+Run run_of(const Scene& scene, const Execution& execution) {
   try {
-    return {scene.model, scene.start, scene.settings};
+    return {scene.model, scene.start, scene.settings, {}, execution};
   } catch (const BadRequest& refusal) {
     throw BadRequest(fmt::format("{}: {}", scene.name, refusal.what()));
   }
@@ -18,7 +18,8 @@ Run run_of(const Scene& scene) {
 
 }  // namespace
 
-Simulation::Simulation(const Scene& scene) : scene_(scene), run_(run_of(scene)) {}
+Simulation::Simulation(const Scene& scene, const Execution& execution)
+    : scene_(scene), run_(run_of(scene, execution)) {}
 
 std::optional<State> Simulation::at(double time, const StopTest& stop) {
   std::optional<State> state = run_.at(time, stop);

@@ -35,8 +35,9 @@ void check_times(const Scene& scene, const std::vector<double>& times) {
 }
 
 std::optional<std::string> make_still(const Scene& scene, double time, const PictureSettings& settings,
-                                      const std::filesystem::path& file, const StopTest& stop) {
-  return make_strip(scene, {time}, settings, file, stop);
+                                      const std::filesystem::path& file, const Execution& execution,
+                                      const StopTest& stop) {
+  return make_strip(scene, {time}, settings, file, execution, stop);
 }
 
 std::vector<double> strip_times(const Scene& scene, double count) {
@@ -50,13 +51,13 @@ std::vector<double> strip_times(const Scene& scene, double count) {
 
 std::optional<std::string> make_strip(const Scene& scene, const std::vector<double>& times,
                                       const PictureSettings& settings, const std::filesystem::path& file,
-                                      const StopTest& stop) {
+                                      const Execution& execution, const StopTest& stop) {
   require_colours(scene);
   check_size(settings.render.size);
   check_times(scene, times);
   const Size whole{settings.render.size.width * static_cast<int>(times.size()), settings.render.size.height};
   check_size(whole);
-  Simulation simulation(scene);
+  Simulation simulation(scene, execution);
   PendingFile pending(file);  // first of all, so that a folder that can't be written costs no simulation
   Painter painter(scene, settings);
   Image sheet = Image::blank(whole, settings.render.transparent ? 4 : 3);

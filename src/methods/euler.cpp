@@ -39,7 +39,8 @@ class EulerStepper final : public FileOrderStepper {
   void links_changed(const State&) override {}
 
   StepReport make_step(State& state, double h, double end_time) override {
-    State next = state;
+    State& next = next_;
+    next = state;
     StepReport report;
     next.time = end_time;
     kick(model_, next.time, h, state.velocity, next.velocity);
@@ -57,7 +58,7 @@ class EulerStepper final : public FileOrderStepper {
       return report;
     }
     report.rounds = passes_;
-    state = std::move(next);
+    std::swap(state, next);
     return report;
   }
 
@@ -91,11 +92,11 @@ class EulerStepper final : public FileOrderStepper {
 
   // The ground is not in the text: masses in it are put onto it, and what it takes from their way it takes
   // from their velocity too, or kept velocities would grow for ever below it.
-  void land(const State& before, State& next, double h) const {
-    const Vectors fallen = next.position;
+  void land(const State& before, State& next, double h) {
+    fallen_ = next.position;
     ground_.solve(before.position, next.position);
-    for (std::size_t i = 0; i < fallen.size(); ++i)
-      next.velocity.add(i, (next.position.at(i) - fallen.at(i)) / h);
+    for (std::size_t i = 0; i < fallen_.size(); ++i)
+      next.velocity.add(i, (next.position.at(i) - fallen_.at(i)) / h);
   }
 
   const Model& model_;
@@ -103,6 +104,8 @@ class EulerStepper final : public FileOrderStepper {
   bool keep_velocities_;
   std::vector<Index> links_;
   GroundContacts ground_;
+  State next_;      // being made
+  Vectors fallen_;  // before the ground held it
 };
 
 constexpr std::array<std::string_view, 2> velocity_choices{"kept", "derived"};

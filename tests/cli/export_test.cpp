@@ -199,5 +199,32 @@ TEST_F(ExportTest, AReferenceEndsBeforeALinkBreaks) {
   EXPECT_LT(json["reference"]["time"].get<double>(), duration) << whole.out;
 }
 
+TEST_F(ExportTest, ThreadsChangeNothing) {
+  std::string alone;
+  for (const char* threads : {"1", "2", "3"}) {
+    const Ran ran = taut({"export", "curtain", "--times", "0.1", "--threads", threads, "--table", "links"});
+    EXPECT_EQ(ran.status, 0) << ran.err;
+    if (alone.empty()) alone = ran.out;
+    EXPECT_EQ(ran.out, alone) << threads;
+  }
+  for (const char* wrong : {"0", "-1", "1.5", "many", "1e9"}) {
+    const Ran ran = taut({"export", "curtain", "--times", "0.1", "--threads", wrong});
+    EXPECT_EQ(ran.status, 2) << ran.err;
+    EXPECT_NE(ran.err.find("--threads"), std::string::npos) << ran.err;
+  }
+}
+
+TEST_F(ExportTest, VectorInstructionsChangeNothing) {
+  const auto table = [](const char* simd) {
+    return taut({"export", "curtain", "--times", "0.1", "--table", "links"}, {{"TAUT_SIMD", simd}});
+  };
+  const Ran plain = table("scalar"), best = table("");
+  EXPECT_EQ(plain.status, 0) << plain.err;
+  EXPECT_EQ(plain.out, best.out);
+  const Ran wrong = table("mmx");
+  EXPECT_EQ(wrong.status, 2) << wrong.err;
+  EXPECT_NE(wrong.err.find("scalar"), std::string::npos) << wrong.err;
+}
+
 }  // namespace
 }  // namespace taut::testing

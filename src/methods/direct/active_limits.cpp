@@ -7,7 +7,10 @@
 namespace taut {
 
 ActiveLimits::ActiveLimits(const Model& model)
-    : limits_(model.limits), inverse_mass_(model.masses.inverse_mass), pushes_(model.limits.size()) {}
+    : limits_(model.limits), inverse_mass_(model.masses.inverse_mass), pushes_(model.limits.size()) {
+  active_.reserve(model.limits.size());
+  moved_.resize(model.masses.size());
+}
 
 void ActiveLimits::begin_step(double h) {
   h_ = h;
@@ -105,11 +108,9 @@ void ActiveLimits::move(std::size_t limit, const LimitAngle& column, double stre
 }
 
 // What one limit's push moves: W G₀ᵀ.
-Vectors ActiveLimits::reach(const Row& column) const {
-  Vectors moved;
-  moved.resize(inverse_mass_.size());
+void ActiveLimits::reach(const Row& column, Vectors& moved) const {
+  for (auto* axis : {&moved.x, &moved.y, &moved.z}) axis->assign(inverse_mass_.size(), 0.0);
   move(column.limit, column.column, 1.0, moved);
-  return moved;
 }
 
 // G W Cᵀ s: how a limit's angle changes when the links push with strengths s.
@@ -127,32 +128,33 @@ double ActiveLimits::felt(const Row& row, const SystemLinks& links, const Vector
 }
 
 Eigen::VectorXd ActiveLimits::solve(const LinkSystem& system, const Vectors& rows, const Vectors& columns,
-                                    std::vector<double>& links) const {
+                                    std::vector<double>& links) {
   const SystemLinks& of = system.links;
   const std::size_t count = active_.size();
+  answers_.resize(limits_.size());
+  for (std::vector<double>& answer : answers_) answer.resize(of.size());
   system.matrix->solve(links);
   if (count == 0) return {};
   Eigen::MatrixXd small(count, count);
   Eigen::VectorXd wanted(count);
-  std::vector<std::vector<double>> answers(count, std::vector<double>(of.size()));  // A⁻¹ R W G₀ᵀ
   for (std::size_t k = 0; k < count; ++k) {
-    const Vectors moved = reach(active_[k]);
+    reach(active_[k], moved_);
     for (std::size_t i = 0; i < of.size(); ++i)
-      answers[k][i] = rows.at(i).dot(moved.at(of.a[i]) - moved.at(of.b[i]));
-    system.matrix->solve(answers[k]);
+      answers_[k][i] = rows.at(i).dot(moved_.at(of.a[i]) - moved_.at(of.b[i]));
+    system.matrix->solve(answers_[k]);
   }
   for (std::size_t j = 0; j < count; ++j) {
     const auto row = static_cast<Eigen::Index>(j);
     wanted[row] = active_[j].wanted - felt(active_[j], of, columns, links);
     for (std::size_t k = 0; k < count; ++k)
       small(row, static_cast<Eigen::Index>(k)) =
-          product(active_[j], active_[k]) - felt(active_[j], of, columns, answers[k]);
+          product(active_[j], active_[k]) - felt(active_[j], of, columns, answers_[k]);
     small(row, row) += active_[j].compliance;
   }
   Eigen::VectorXd strength = small.completeOrthogonalDecomposition().solve(wanted);
   for (std::size_t k = 0; k < count; ++k)
     for (std::size_t i = 0; i < of.size(); ++i)
-      links[i] -= answers[k][i] * strength[static_cast<Eigen::Index>(k)];
+      links[i] -= answers_[k][i] * strength[static_cast<Eigen::Index>(k)];
   return strength;
 }
 
@@ -180,7 +182,7 @@ void ActiveLimits::stop(const LinkSystem& system, const Vectors& directions, con
     active_.push_back({i, along, along, 0.0, 0.0});
     active_.back().wanted = change(active_.back(), velocity);
   }
-  const std::vector<double> given = links;
+  given_ = links;
   for (;;) {
     const Eigen::VectorXd strength = solve(system, directions, directions, links);
     Eigen::Index pulling = 0;
@@ -190,7 +192,7 @@ void ActiveLimits::stop(const LinkSystem& system, const Vectors& directions, con
       return;
     }
     active_.erase(active_.begin() + pulling);
-    links = given;
+    links = given_;
   }
 }
 

@@ -73,11 +73,11 @@ class ActiveLimits {
   double product(const Row& row, const Row& column) const;
   double change(const Row& row, const Vectors& velocity) const;
   void move(std::size_t limit, const LimitAngle& column, double strength, Vectors& target) const;
-  Vectors reach(const Row& column) const;
+  void reach(const Row& column, Vectors& moved) const;
   double felt(const Row& row, const SystemLinks& links, const Vectors& columns,
               const std::vector<double>& strength) const;
   Eigen::VectorXd solve(const LinkSystem& system, const Vectors& rows, const Vectors& columns,
-                        std::vector<double>& links) const;
+                        std::vector<double>& links);
 
   const std::vector<Limit>& limits_;
   const std::vector<double>& inverse_mass_;
@@ -85,6 +85,10 @@ class ActiveLimits {
   std::vector<Push> start_pushes_;  // of soft limits at the start of a step with half kicks
   std::vector<double> share_;       // of h² τ₁ that μ is
   std::vector<Row> active_;
+  // Room for a solve.
+  std::vector<std::vector<double>> answers_;  // A⁻¹ R W G₀ᵀ
+  Vectors moved_;
+  std::vector<double> given_;
   double h_ = 0.0;  // s
 };
 

@@ -22,7 +22,10 @@ std::unique_ptr<LinkMatrix> make_path_matrix(const SystemLinks& links);
 std::unique_ptr<LinkMatrix> make_tree_matrix(const Model& model, const SystemLinks& links,
                                              const std::vector<TreeStep>& steps);
 
-/// For any links.
+/// An order of any links that fills their matrix little when it is factorised: their places in it.
+std::vector<Index> net_order(const SystemLinks& links, std::size_t mass_count);
+
+/// For links in that order.
 std::unique_ptr<LinkMatrix> make_net_matrix(const SystemLinks& links, std::size_t mass_count);
 
 }  // namespace taut

@@ -70,7 +70,8 @@ LinkSystem make_link_system(const Model& model, const std::vector<Index>& links)
     auto matrix = make_tree_matrix(model, ordered, *tree);
     return {std::move(ordered), std::move(matrix)};
   }
-  SystemLinks ordered = gather(model, links);
+  SystemLinks ordered =
+      in_order(net_order(gather(model, links), model.masses.size()), [](Index i) { return i; });
   auto matrix = make_net_matrix(ordered, model.masses.size());
   return {std::move(ordered), std::move(matrix)};
 }

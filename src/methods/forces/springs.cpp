@@ -25,45 +25,50 @@ bool any_damped(const Springs& springs) {
 
 namespace {
 
-// Unit vectors and pulls of all springs.
-void evaluate(const Springs& springs, const Vectors& position, const Vectors& velocity, Vectors& direction,
-              std::vector<double>& tension) {
-  link_vectors(springs.links, position, direction);
-  tension.resize(springs.links.size());
-  for (std::size_t i = 0; i < tension.size(); ++i) {
-    const double distance = direction.at(i).norm();
-    direction.set(i, distance > 0.0 ? Vec3(direction.at(i) / distance) : Vec3::Zero());
-    const Vec3 speed = velocity.at(springs.links.a[i]) - velocity.at(springs.links.b[i]);
-    tension[i] = springs.stiffness[i] * (distance - springs.links.length[i]) +
-                 springs.links.damping[i] * direction.at(i).dot(speed);
-  }
+// A spring's pull (N) and its direction.
+struct Pull {
+  double tension;
+  Vec3 direction;
+};
+
+Pull pull_of(const Springs& springs, std::size_t i, const Vectors& position, const Vectors& velocity) {
+  const Index a = springs.links.a[i], b = springs.links.b[i];
+  const Vec3 difference = position.at(a) - position.at(b);
+  const double distance = difference.norm();
+  const Vec3 direction = distance > 0.0 ? Vec3(difference / distance) : Vec3::Zero();
+  return {springs.stiffness[i] * (distance - springs.links.length[i]) +
+              springs.links.damping[i] * direction.dot(velocity.at(a) - velocity.at(b)),
+          direction};
 }
 
 }  // namespace
 
 void spring_tensions(const Springs& springs, const Vectors& position, const Vectors& velocity,
                      std::vector<double>& tension) {
-  Vectors direction;
-  evaluate(springs, position, velocity, direction, tension);
+  tension.resize(springs.links.size());
+  for (std::size_t i = 0; i < tension.size(); ++i)
+    tension[i] = pull_of(springs, i, position, velocity).tension;
 }
 
 void kick_by_springs(const Springs& springs, double h, const Vectors& position, const Vectors& velocity,
                      Vectors& kicked, std::vector<double>& tension) {
-  if (springs.empty()) return;
-  Vectors direction;
-  evaluate(springs, position, velocity, direction, tension);
-  std::vector<double> impulse(tension.size());
-  for (std::size_t i = 0; i < tension.size(); ++i) impulse[i] = -h * tension[i];
-  apply_impulses(springs.links, direction, impulse, kicked);
+  tension.resize(springs.links.size());
+  for (std::size_t i = 0; i < tension.size(); ++i) {
+    const Pull pull = pull_of(springs, i, position, velocity);
+    tension[i] = pull.tension;
+    const double impulse = -h * pull.tension;
+    kicked.add(springs.links.a[i], (springs.links.weight_a[i] * impulse) * pull.direction);
+    kicked.add(springs.links.b[i], -(springs.links.weight_b[i] * impulse) * pull.direction);
+  }
 }
 
 double highest_frequency(const Springs& springs, const Vectors& position) {
   if (springs.empty()) return 0.0;
-  Vectors direction;
-  std::vector<double> unused;
-  Vectors still;
+  Vectors direction, still;
   still.resize(position.size());
-  evaluate(springs, position, still, direction, unused);
+  direction.resize(springs.links.size());
+  for (std::size_t i = 0; i < direction.size(); ++i)
+    direction.set(i, pull_of(springs, i, position, still).direction);
   // A start with a part along every mode: neighbours against each other, of unequal size.
   Vectors mode = still;
   for (std::size_t i = 0; i < position.size(); ++i) {

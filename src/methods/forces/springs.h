@@ -25,7 +25,8 @@ bool any_damped(const Springs& springs);
 void spring_tensions(const Springs& springs, const Vectors& position, const Vectors& velocity,
                      std::vector<double>& tension);
 
-/// Adds to `kicked` what the springs' pulls do to velocities in h seconds.
+/// Adds to `kicked` what the springs' pulls do to velocities in h seconds; where springs are damped it must
+/// not be `velocity`.
 void kick_by_springs(const Springs& springs, double h, const Vectors& position, const Vectors& velocity,
                      Vectors& kicked, std::vector<double>& tension);
 

@@ -537,10 +537,8 @@ HWY_NOINLINE void relax_along(const LinkArrays<double>& all_links, const LinkStr
 }
 
 template <bool first, bool judged>
-HWY_INLINE AlongFound relax_each_along(const LinkArrays<double>& links,
-                                       std::span<const LinkStretch> stretches, const Packed<double>* start,
-                                       Packed<double>* position) {
-  AlongFound found;
+HWY_INLINE void relax_each_along(const LinkArrays<double>& links, std::span<const LinkStretch> stretches,
+                                 const Packed<double>* start, Packed<double>* position, AlongFound& found) {
   for (const LinkStretch& stretch : stretches)
     if (stretch.weighted)
       relax_along<false, true, first, judged>(links, stretch, start, position, found);
@@ -548,16 +546,18 @@ HWY_INLINE AlongFound relax_each_along(const LinkArrays<double>& links,
       relax_along<false, false, first, judged>(links, stretch, start, position, found);
     else
       relax_along<true, false, first, judged>(links, stretch, start, position, found);
-  return found;
 }
 
-AlongFound relax_all_along(const LinkArrays<double>& links, std::span<const LinkStretch> stretches,
-                           const Packed<double>* start, bool first, bool judged, Packed<double>* position) {
+void relax_all_along(const LinkArrays<double>& links, std::span<const LinkStretch> stretches,
+                     const Packed<double>* start, bool first, bool judged, Packed<double>* position,
+                     AlongFound& found) {
+  found.worst = 0.0;
   if (first)
-    return judged ? relax_each_along<true, true>(links, stretches, start, position)
-                  : relax_each_along<true, false>(links, stretches, start, position);
-  return judged ? relax_each_along<false, true>(links, stretches, start, position)
-                : relax_each_along<false, false>(links, stretches, start, position);
+    judged ? relax_each_along<true, true>(links, stretches, start, position, found)
+           : relax_each_along<true, false>(links, stretches, start, position, found);
+  else
+    judged ? relax_each_along<false, true>(links, stretches, start, position, found)
+           : relax_each_along<false, false>(links, stretches, start, position, found);
 }
 
 }  // namespace taut::HWY_NAMESPACE
@@ -597,9 +597,10 @@ bool are_finite(const Packed<float>* position, std::size_t begin, std::size_t en
   return HWY_DYNAMIC_DISPATCH(finite_singles)(position, begin, end);
 }
 
-AlongFound relax_along_start(const LinkArrays<double>& links, std::span<const LinkStretch> stretches,
-                             const Packed<double>* start, bool first, bool judged, Packed<double>* position) {
-  return HWY_DYNAMIC_DISPATCH(relax_all_along)(links, stretches, start, first, judged, position);
+void relax_along_start(const LinkArrays<double>& links, std::span<const LinkStretch> stretches,
+                       const Packed<double>* start, bool first, bool judged, Packed<double>* position,
+                       AlongFound& found) {
+  HWY_DYNAMIC_DISPATCH(relax_all_along)(links, stretches, start, first, judged, position, found);
 }
 
 }  // namespace taut

@@ -108,12 +108,14 @@ struct LostLink {
 
 /// What a pass along the directions at the start of the step found.
 struct AlongFound {
-  double worst = 0.0;  ///< largest ||d|² − l²|/l² that it met; 0 unless asked for
+  double worst = 0.0;  ///< largest ||d|² − l²|/l² that it met; 0 unless judged
   std::vector<LostLink> lost;
 };
 
-/// One pass of rigid links along their directions at `start`. Lost links are left as they are.
-AlongFound relax_along_start(const LinkArrays<double>& links, std::span<const LinkStretch> stretches,
-                             const Packed<double>* start, bool first, bool judged, Packed<double>* position);
+/// One pass of rigid links along their directions at `start`. Lost links are left as they are, and added to
+/// those found.
+void relax_along_start(const LinkArrays<double>& links, std::span<const LinkStretch> stretches,
+                       const Packed<double>* start, bool first, bool judged, Packed<double>* position,
+                       AlongFound& found);
 
 }  // namespace taut

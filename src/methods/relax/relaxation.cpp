@@ -57,6 +57,7 @@ void Relaxation<Real>::links_changed(const State& state) {
   for (const VisitParts::Part& part : parts.parts)
     add_section(part.runs, {part.begin, part.end, part.settled_begin, part.settled_end});
   if (parts.parts.size() > 1) add_section(parts.rest, {});
+  found_.resize(sections_.size());
   slot_.assign(model_.links.size(), 0);
   for (std::size_t slot = 0; slot < visited_.size(); ++slot)
     if (visited_[slot] != no_link) slot_[visited_[slot]] = static_cast<std::uint32_t>(slot);
@@ -281,15 +282,14 @@ AlongStart Relaxation<Real>::pass_along(const Masses& start, Masses& position, b
                                         bool judged) requires std::same_as<Real, double> {
   const LinkArrays<double> links = arrays();
   const auto visit = [&](std::size_t i) {
-    return relax_along_start(links, stretches_of(sections_[i]), start.data(), first, judged, position.data());
+    found_[i].lost.clear();
+    relax_along_start(links, stretches_of(sections_[i]), start.data(), first, judged, position.data(),
+                      found_[i]);
   };
-  std::vector<AlongFound> found(sections_.size());
-  if (sections_.size() > 1)
-    workers_->run(
-        [&](int part) { found[static_cast<std::size_t>(part)] = visit(static_cast<std::size_t>(part)); });
-  found.back() = visit(sections_.size() - 1);
+  if (sections_.size() > 1) workers_->run([&](int part) { visit(static_cast<std::size_t>(part)); });
+  visit(sections_.size() - 1);
   AlongStart result;
-  for (const AlongFound& each : found) {
+  for (const AlongFound& each : found_) {
     result.worst = std::max(result.worst, each.worst);
     // The first one of the model, so that it is the same whatever the parts.
     for (const LostLink& lost : each.lost)

@@ -126,6 +126,7 @@ class Relaxation {
   std::vector<LinkStretch> stretches_;
   std::vector<Section> sections_;  // of the threads; where there are several, one more for the rest
   std::shared_ptr<Workers> workers_;
+  std::vector<AlongFound> found_;  // by each section
   Arrays arrays_;
   Real settled_h_ = 0, settled_answer_ = 0;  // what the arrays of special links hold for
 };

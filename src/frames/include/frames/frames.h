@@ -22,6 +22,7 @@ struct RenderRequest {
   double frames_per_second = 30.0;
   PictureSettings picture;
   bool overwrite = false;
+  Execution execution = {};  ///< of the simulation
   /// Shown every state of the run as it is simulated (of several, of the first); may be empty.
   std::function<void(const State&)> watch;
   std::string plan;  ///< why the scene is run as it is, for the manifest; may be empty

@@ -13,7 +13,7 @@ namespace taut {
 class Simulation {
  public:
   /// Refers to the scene from then on. Throws BadRequest when the scene's method refuses it.
-  explicit Simulation(const Scene& scene);
+  explicit Simulation(const Scene& scene, const Execution& execution = {});
 
   /// The state at a time (s), which must not be earlier than the one asked for before: between two steps
   /// interpolated from the two. Nothing when told to stop on the way. Throws RunFailure, in words, when the

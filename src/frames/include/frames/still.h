@@ -18,7 +18,8 @@ void check_times(const Scene& scene, const std::vector<double>& times);
 /// is (ground_note.h). Throws BadRequest for a time outside the scene's duration, RunFailure for what goes
 /// wrong later, Interrupted when told to stop; a picture that was there before is then still there.
 std::optional<std::string> make_still(const Scene& scene, double time, const PictureSettings& settings,
-                                      const std::filesystem::path& file, const StopTest& stop = {});
+                                      const std::filesystem::path& file, const Execution& execution = {},
+                                      const StopTest& stop = {});
 
 /// Times from the scene's start to its end at equal distances (s); the start alone for a count of 1. Throws
 /// BadRequest for a count that is not a whole number from 1 to 100.
@@ -28,6 +29,6 @@ std::vector<double> strip_times(const Scene& scene, double count);
 /// one picture. Returns and throws as make_still() does, and BadRequest where all together are too wide.
 std::optional<std::string> make_strip(const Scene& scene, const std::vector<double>& times,
                                       const PictureSettings& settings, const std::filesystem::path& file,
-                                      const StopTest& stop = {});
+                                      const Execution& execution = {}, const StopTest& stop = {});
 
 }  // namespace taut
