@@ -49,6 +49,7 @@ int run(int argument_count, char** arguments) {
   add_export(program);
   add_sag(program);
   add_stability(program);
+  add_bench(program);
   add_list(program);
   std::string simd;
   program.add_everywhere(

@@ -14,6 +14,7 @@ void add_chart(CommandLine& program);
 void add_export(CommandLine& program);
 void add_sag(CommandLine& program);
 void add_stability(CommandLine& program);
+void add_bench(CommandLine& program);
 void add_list(CommandLine& program);
 
 }  // namespace taut

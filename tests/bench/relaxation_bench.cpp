@@ -1,6 +1,8 @@
 // The relaxation methods' cost per link and pass on square sheets with diagonals, hung by two corners,
 // integration and all overhead in, one pass a step, on one thread and on two: as the sheet has its links, and
 // in a shuffled order.
+// And the same sheets in Bullet's soft body, one position iteration a step, in its single precision.
+#include <BulletSoftBody/btSoftBody.h>
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -66,5 +68,37 @@ PASS_OVER_A_SHEET(xpbd_single, "xpbd", "single", 1);
 PASS_OVER_A_SHEET(xpbd_single_on_2_threads, "xpbd", "single", 2);
 PASS_OVER_A_SHEET(verlet, "verlet", "", 1);
 PASS_OVER_A_SHEET(shake, "shake", "", 1);
+
+void pass_over_a_sheet_in_bullet(benchmark::State& run) {
+  const Built built = sheet(static_cast<int>(run.range(0)));
+  const Model& model = built.model;
+  btSoftBodyWorldInfo world;
+  world.m_gravity = btVector3(0, btScalar(-9.81), 0);
+  std::vector<btVector3> positions;
+  std::vector<btScalar> masses;
+  for (std::size_t i = 0; i < model.masses.size(); ++i) {
+    const Vec3 at = built.start.position.at(i);
+    positions.emplace_back(static_cast<btScalar>(at.x()), static_cast<btScalar>(at.y()),
+                           static_cast<btScalar>(at.z()));
+    masses.push_back(model.masses.pinned(i) ? btScalar(0) : static_cast<btScalar>(model.masses.mass[i]));
+  }
+  btSoftBody body(&world, static_cast<int>(positions.size()), positions.data(), masses.data());
+  for (std::size_t i = 0; i < model.links.size(); ++i)
+    body.appendLink(static_cast<int>(model.links.a[i]), static_cast<int>(model.links.b[i]), nullptr);
+  body.m_materials[0]->m_kLST = 1;
+  body.m_cfg.piterations = 1;
+  body.m_cfg.kDP = 0;
+  body.updateConstants();
+  constexpr btScalar step = btScalar(1.0 / 2400.0);
+  for (auto round : run) {
+    body.predictMotion(step);
+    body.solveConstraints();
+    body.integrateMotion();
+  }
+  run.counters["s/link/pass"] =
+      benchmark::Counter(static_cast<double>(run.iterations()) * static_cast<double>(body.m_links.size()),
+                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+BENCHMARK(pass_over_a_sheet_in_bullet)->Arg(64)->Arg(256)->Arg(1024)->ArgName("size")->UseRealTime();
 
 }  // namespace
