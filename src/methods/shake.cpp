@@ -31,9 +31,9 @@
 #include "methods/breaking.h"
 #include "methods/method.h"
 #include "parameters.h"
+#include "relax/along_relaxation.h"
 #include "relax/limit_solver.h"
 #include "relax/pass_control.h"
-#include "relax/relaxation.h"
 
 namespace taut {
 namespace {
@@ -43,7 +43,7 @@ class ShakeStepper final : public SwappingStepper {
   ShakeStepper(const Model& model, PassCounts passes, double tolerance, const Execution& execution)
       : model_(model),
         passes_(model, passes),
-        relaxation_(model, execution, Relaxation<double>::Visits::rigid),
+        relaxation_(model, execution),
         tolerance_(tolerance),
         kicks_(model, 2.0),
         limits_(model),
@@ -147,8 +147,8 @@ class ShakeStepper final : public SwappingStepper {
 
   const Model& model_;
   PassControl passes_;
-  Relaxation<double> relaxation_;
-  Relaxation<double>::Masses packed_start_, packed_;
+  AlongRelaxation relaxation_;
+  AlongRelaxation::Masses packed_start_, packed_;
   double tolerance_;
   HalfKicks kicks_;
   LimitSolver limits_;

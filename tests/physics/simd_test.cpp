@@ -5,8 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
+#include <memory>
 #include <string>
 
+#include "base/failure.h"
 #include "fixtures.h"
 #include "methods/registry.h"
 #include "motion/run.h"

@@ -34,7 +34,7 @@ constexpr std::size_t fewest_to_share = 4000;
 
 template <class Real>
 Relaxation<Real>::Relaxation(const Model& model, const Execution& execution, Visits visits)
-    : model_(model), visits_(visits), equal_weight_(common_weight(model)), workers_(execution.workers) {}
+    : workers_(execution.workers), model_(model), visits_(visits), equal_weight_(common_weight(model)) {}
 
 template <class Real>
 void Relaxation<Real>::links_changed(const State& state) {
@@ -57,7 +57,6 @@ void Relaxation<Real>::links_changed(const State& state) {
   for (const VisitParts::Part& part : parts.parts)
     add_section(part.runs, {part.begin, part.end, part.settled_begin, part.settled_end});
   if (parts.parts.size() > 1) add_section(parts.rest, {});
-  found_.resize(sections_.size());
   slot_.assign(model_.links.size(), 0);
   for (std::size_t slot = 0; slot < visited_.size(); ++slot)
     if (visited_[slot] != no_link) slot_[visited_[slot]] = static_cast<std::uint32_t>(slot);
@@ -275,30 +274,6 @@ bool Relaxation<Real>::unsettled_are_finite(const Masses& position) const {
     begin = sections_[i].masses.settled_end;
   }
   return are_finite(position.data(), begin, masses_.size());
-}
-
-template <class Real>
-AlongStart Relaxation<Real>::pass_along(const Masses& start, Masses& position, bool first,
-                                        bool judged) requires std::same_as<Real, double> {
-  const LinkArrays<double> links = arrays();
-  const auto visit = [&](std::size_t i) {
-    found_[i].lost.clear();
-    relax_along_start(links, stretches_of(sections_[i]), start.data(), first, judged, position.data(),
-                      found_[i]);
-  };
-  if (sections_.size() > 1) workers_->run([&](int part) { visit(static_cast<std::size_t>(part)); });
-  visit(sections_.size() - 1);
-  AlongStart result;
-  for (const AlongFound& each : found_) {
-    result.worst = std::max(result.worst, each.worst);
-    // The first one of the model, so that it is the same whatever the parts.
-    for (const LostLink& lost : each.lost)
-      if (visited_[lost.slot] < result.lost_link) {
-        result.lost_link = visited_[lost.slot];
-        result.lost_along = lost.along;
-      }
-  }
-  return result;
 }
 
 template <class Real>

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -14,14 +13,6 @@
 #include "relax/packed.h"
 
 namespace taut {
-
-/// What a pass along the directions at the start of a step found.
-struct AlongStart {
-  double worst = 0.0;         ///< largest ||d|² − l²|/l² that it met; 0 unless asked for
-  Index lost_link = no_link;  ///< a link that has turned by 90° or more, or is not finite …
-  double lost_along = 0.0;    ///< … and its d·d₀ (m²)
-  bool lost() const { return lost_link != no_link; }
-};
 
 /// The links that a relaxation pass visits, as data in the order of the visits (visit_order.h), and where the
 /// masses lie that it moves: what xpbd (Real: double or float), verlet and shake have in common.
@@ -66,12 +57,6 @@ class Relaxation {
   /// free masses come to `position` by it first. False when one is not finite, looked at in the last pass.
   bool pass(const Masses& start, Masses& position, PassPlace place, const FreeMotion<Real>* motion = nullptr);
 
-  /// One pass of rigid links along their directions d₀ at `start`, the step's (SHAKE):
-  ///   q = (|d|² − l²) / (2 (w_a + w_b) d·d₀),  x_a ← x_a − w_a q d₀,  x_b ← x_b + w_b q d₀,  λ ← λ + q
-  /// `judged`: the result says how good lengths were.
-  AlongStart pass_along(const Masses& start, Masses& position, bool first,
-                        bool judged) requires std::same_as<Real, double>;
-
   /// Where a free mass lies in such room.
   Index place(Index mass) const { return place_[mass]; }
   /// λ of a link that is visited: the sum over the passes of the step.
@@ -81,6 +66,20 @@ class Relaxation {
   /// times the link's length.
   void give_multipliers(double scale, std::vector<double>& values) const;
   void give_multipliers_along(double scale, std::vector<double>& values) const;
+
+ protected:
+  // Stretches that one thread visits.
+  struct Section {
+    std::size_t begin, end;
+    MassRange masses;
+  };
+
+  LinkArrays<Real> arrays();
+  std::span<const LinkStretch> stretches_of(const Section& section) const;
+
+  std::vector<Section> sections_;  // of the threads; where there are several, one more for the rest
+  std::shared_ptr<Workers> workers_;
+  std::vector<Index> visited_;  // link by slot; no_link where a stretch is filled up
 
  private:
   struct Arrays {
@@ -93,12 +92,6 @@ class Relaxation {
     Index mass, place;
   };
 
-  // Stretches that one thread visits.
-  struct Section {
-    std::size_t begin, end;
-    MassRange masses;
-  };
-
   void add_run(const std::vector<Index>& run);
   void add_stretch(const std::vector<Index>& links, LinkStretch stretch);
   void add_strided(std::vector<Index>& links, const LinkStretch& kind);
@@ -108,9 +101,7 @@ class Relaxation {
   void add_section(const std::vector<std::vector<Index>>& runs, const MassRange& masses);
   void find_reach(const Section& section);
   bool unsettled_are_finite(const Masses& position) const;
-  std::span<const LinkStretch> stretches_of(const Section& section) const;
   void settle(Real h, Real answer);
-  LinkArrays<Real> arrays();
 
   const Model& model_;
   Visits visits_;
@@ -121,12 +112,8 @@ class Relaxation {
   std::vector<PinEnd> pin_ends_;  // a place for each link that ends in a pin: no two write to one
   Masses room_;
   std::vector<std::uint32_t> slot_;  // of each link that is visited
-  std::vector<Index> visited_;       // link by slot; no_link where a stretch is filled up
-  std::vector<Index> special_;       // link by special place, the same
+  std::vector<Index> special_;       // link by special place; no_link likewise
   std::vector<LinkStretch> stretches_;
-  std::vector<Section> sections_;  // of the threads; where there are several, one more for the rest
-  std::shared_ptr<Workers> workers_;
-  std::vector<AlongFound> found_;  // by each section
   Arrays arrays_;
   Real settled_h_ = 0, settled_answer_ = 0;  // what the arrays of special links hold for
 };

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include "relax/relaxation.h"
+
+namespace taut {
+
+/// What a pass along the directions at the start of a step found.
+struct AlongStart {
+  double worst = 0.0;         ///< largest ||d|² − l²|/l² that it met; 0 unless asked for
+  Index lost_link = no_link;  ///< a link that has turned by 90° or more, or is not finite …
+  double lost_along = 0.0;    ///< … and its d·d₀ (m²)
+  bool lost() const { return lost_link != no_link; }
+};
+
+/// Relaxation of rigid links along their directions at the start of the step: what shake does.
+class AlongRelaxation final : public Relaxation<double> {
+ public:
+  AlongRelaxation(const Model& model, const Execution& execution)
+      : Relaxation<double>(model, execution, Visits::rigid) {}
+
+  /// One pass along the directions d₀ at `start`, the step's (SHAKE):
+  ///   q = (|d|² − l²) / (2 (w_a + w_b) d·d₀),  x_a ← x_a − w_a q d₀,  x_b ← x_b + w_b q d₀,  λ ← λ + q
+  /// `judged`: the result says how good lengths were.
+  AlongStart pass_along(const Masses& start, Masses& position, bool first, bool judged);
+
+ private:
+  std::vector<AlongFound> found_;  // by each section
+};
+
+}  // namespace taut
