@@ -15,7 +15,7 @@ say() { echo "run.sh: $*" >&2; }
 files() { find "${@:2}" -name "$1" -type f -print0; }
 
 # Runs of tests, by the names that tests/list_tests.cmake gives them, of what has threads.
-threaded='^(unit\.Simulation|cli\..*(Render|Film|Compare|Chart|Check|Stability|Interrupted|Killed|Failed))'
+threaded='^(unit\.(Simulation|.*AnyOrder)|cli\..*(Render|Film|Compare|Chart|Check|Export|Bench|Stability|Interrupted|Killed|Failed))'
 
 # Configures and builds a preset: all of it, or what is named.
 build() {

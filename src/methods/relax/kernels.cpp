@@ -342,23 +342,23 @@ HWY_NOINLINE void relax_present(const LinkArrays<Real>& all_links, const LinkStr
     [[maybe_unused]] V multiplier = zero;
     if constexpr (!first) multiplier = hn::LoadU(tag, links.multiplier + slot);
     if constexpr (soft && !first)
-      over = hn::Sub(over, hn::Mul(hn::LoadU(tag, links.scaled + special + slot), multiplier));
+      over = hn::Sub(over, hn::Mul(hn::LoadU(tag, links.scaled + (special + slot)), multiplier));
     if constexpr (damped) {
       const Transposed<V> d0 = L::transposed(L::minus(L::load(start, at_a), L::load(start, at_b)));
       const Transposed<V> moved{hn::Sub(d.x, d0.x), hn::Sub(d.y, d0.y), hn::Sub(d.z, d0.z)};
-      over = hn::Sub(over, hn::Mul(hn::Mul(hn::LoadU(tag, links.gamma + special + slot), inverse_distance),
+      over = hn::Sub(over, hn::Mul(hn::Mul(hn::LoadU(tag, links.gamma + (special + slot)), inverse_distance),
                                    dot(moved, d)));
     }
     over = hn::IfThenElseZero(has_direction, over);
     V factor = plain_factor;
-    if constexpr (weighted || soft) factor = hn::LoadU(tag, links.factor + special + slot);
+    if constexpr (weighted || soft) factor = hn::LoadU(tag, links.factor + (special + slot));
     V change = hn::Mul(over, factor);
     if constexpr (!first) change = hn::Add(multiplier, change);
     hn::StoreU(change, tag, links.multiplier + slot);
     const V shift = hn::Mul(over, inverse_distance);
     V share_a = half, share_b = half;
-    if constexpr (weighted || soft) share_a = hn::LoadU(tag, links.share_a + special + slot);
-    if constexpr (weighted) share_b = hn::LoadU(tag, links.share_b + special + slot);
+    if constexpr (weighted || soft) share_a = hn::LoadU(tag, links.share_a + (special + slot));
+    if constexpr (weighted) share_b = hn::LoadU(tag, links.share_b + (special + slot));
     return Moves<Real>{hn::Mul(share_a, shift), hn::Mul(share_b, shift)};
   };
   const auto move = [&](std::size_t slot, const Moves<Real>& moves) TAUT_INLINED {
@@ -511,15 +511,15 @@ HWY_NOINLINE void relax_along(const LinkArrays<double>& all_links, const LinkStr
     if constexpr (judged) worst = hn::Max(worst, hn::Div(hn::Abs(excess), square));
     const V over = hn::IfThenElseZero(turned_less, hn::Div(excess, hn::Add(along, along)));
     V factor = plain_factor;
-    if constexpr (weighted) factor = hn::LoadU(tag, links.factor + special + slot);
+    if constexpr (weighted) factor = hn::LoadU(tag, links.factor + (special + slot));
     V change = hn::Mul(over, factor);
     if constexpr (!first) change = hn::Add(hn::LoadU(tag, links.multiplier + slot), change);
     hn::StoreU(change, tag, links.multiplier + slot);
     const V back = hn::Neg(over);
     V share_a = half, share_b = half;
     if constexpr (weighted) {
-      share_a = hn::LoadU(tag, links.share_a + special + slot);
-      share_b = hn::LoadU(tag, links.share_b + special + slot);
+      share_a = hn::LoadU(tag, links.share_a + (special + slot));
+      share_b = hn::LoadU(tag, links.share_b + (special + slot));
     }
     return Moves<double>{hn::Mul(share_a, back), hn::Mul(share_b, back)};
   };
