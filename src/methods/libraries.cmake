@@ -2,6 +2,12 @@
 pkg_check_modules(HWY REQUIRED IMPORTED_TARGET libhwy)
 target_link_libraries(taut_methods PRIVATE PkgConfig::HWY)
 
+# Under sanitizers clang takes many minutes for all the vector kernels; the plain one goes through the same
+# memory.
+if(TAUT_SANITIZE)
+  target_compile_definitions(taut_methods PRIVATE HWY_COMPILE_ONLY_SCALAR)
+endif()
+
 # It includes itself, once for every set of vector instructions.
 set_source_files_properties(${CMAKE_CURRENT_SOURCE_DIR}/methods/relax/kernels.cpp
                             PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
