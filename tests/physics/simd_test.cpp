@@ -95,6 +95,26 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Simd,
                                            "pendulum"),
                          case_name);
 
+// Positions, velocities and tensions, though none of them was asked for before the step that failed.
+TEST(PackedStep, ThatFailsLeavesTheStateBeforeIt) {
+  const Scene scene = scene_called("chain-20");
+  for (const char* name : {"xpbd", "verlet"}) {
+    const Settings settings = complete_settings({name, {}});
+    const Method& method = *find_method(name);
+    const auto failing = method.make(scene.model, settings, {}),
+               twin = method.make(scene.model, settings, {});
+    const double h = 1e-3, far_too_long = 1e300;
+    for (Stepper* stepper : {failing.get(), twin.get()}) {
+      stepper->load(scene.start);
+      for (int step = 1; step <= 3; ++step) EXPECT_EQ(stepper->step(h, step * h).status, StepStatus::done);
+    }
+    EXPECT_EQ(failing->step(far_too_long, far_too_long).status, StepStatus::not_finite) << name;
+    const State &left = failing->store(), &expected = twin->store();
+    EXPECT_EQ(state_hash(left), state_hash(expected)) << name;
+    EXPECT_EQ(left.tension, expected.tension) << name;
+  }
+}
+
 TEST(SimdByName, AnUnknownOneIsRefusedWithTheKnownOnes) {
   const BestSimdAgain again;
   try {

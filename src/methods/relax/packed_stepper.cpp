@@ -56,6 +56,7 @@ class PackedStepper final : public Stepper {
     report.rounds = passes_;
     report.link_solves = links_.size() * passes_;
     if (!finite) {
+      links_.take_back();
       place_pins(model_, start_time, state_.position, state_.velocity);
       report.status = StepStatus::not_finite;
       return report;

@@ -61,6 +61,7 @@ void Relaxation<Real>::links_changed(const State& state) {
   for (std::size_t slot = 0; slot < visited_.size(); ++slot)
     if (visited_[slot] != no_link) slot_[visited_[slot]] = static_cast<std::uint32_t>(slot);
   arrays_.multiplier.assign(visited_.size(), Real(0));
+  multiplier_before_ = arrays_.multiplier;
   for (auto* values : {&arrays_.factor, &arrays_.share_a, &arrays_.share_b, &arrays_.scaled, &arrays_.gamma})
     values->assign(special_.size(), Real(0));
   settled_h_ = settled_answer_ = 0;
@@ -241,6 +242,7 @@ LinkArrays<Real> Relaxation<Real>::arrays() {
 template <class Real>
 void Relaxation<Real>::begin_step(Real h, Real answer) {
   settle(h, answer);
+  std::swap(arrays_.multiplier, multiplier_before_);
 }
 
 template <class Real>

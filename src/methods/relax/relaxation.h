@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "methods/method.h"
@@ -37,13 +38,15 @@ class Relaxation {
   /// Room for three-vectors of the masses as passes want them: the free ones first, in an order of their own,
   /// then what else there is.
   Masses room() const { return room_; }
-  std::size_t free_masses() const { return masses_.size(); }
   /// Vectors, one a mass of the model, rounded into such room, and those of the free masses back.
   void load(const Vectors& from, Masses& to) const;
   void load_pins(const Vectors& from, Masses& to) const;
   void give(const Masses& from, Vectors& to) const;
   /// to = (b − a)·factor, of the free masses.
   void give_difference(const Masses& a, const Masses& b, Real factor, Vectors& to) const;
+
+  /// Takes the multipliers back to those of the step before, where the passes of this one have failed.
+  void take_back() { std::swap(arrays_.multiplier, multiplier_before_); }
 
   /// Begins a step of h seconds. `answer` is what a mass moves by beside its inverse mass:
   /// 1/(1 + h·drag) where drag is implicit in all forces.
@@ -115,6 +118,7 @@ class Relaxation {
   std::vector<Index> special_;       // link by special place; no_link likewise
   std::vector<LinkStretch> stretches_;
   Arrays arrays_;
+  std::vector<Real> multiplier_before_;      // of the step before
   Real settled_h_ = 0, settled_answer_ = 0;  // what the arrays of special links hold for
 };
 
