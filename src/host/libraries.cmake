@@ -23,3 +23,7 @@ string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
 string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}} -ffp-contract=off" flags)
 set_source_files_properties(${CMAKE_CURRENT_SOURCE_DIR}/host/machine.cpp
                             PROPERTIES COMPILE_DEFINITIONS "TAUT_COMMIT=\"${commit}\";TAUT_FLAGS=\"${flags}\"")
+
+if(TAUT_SANITIZE)
+  target_compile_definitions(taut_host PRIVATE TAUT_SANITIZED)
+endif()

@@ -13,6 +13,11 @@ namespace taut {
 namespace {
 
 constexpr std::array watched{SIGINT, SIGTERM};
+#ifdef TAUT_SANITIZED
+constexpr double seconds_to_end = 6.0;
+#else
+constexpr double seconds_to_end = 0.8;
+#endif
 
 // A handler gets no argument of ours, so these have to be found from anywhere.
 std::atomic<int> caught_signal{0};

@@ -4,7 +4,10 @@
 
 #include "relax/packed_stepper.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
+#include <vector>
 
 #include "forces/forces.h"
 #include "relax/relaxation.h"
@@ -36,6 +39,11 @@ class PackedStepper final : public Stepper {
     links_.load(state_.position, next_);
     velocities_ = true;
     behind_ = false;
+    pins_finite_ = true;
+    for (std::size_t mass = 0; mass < model_.masses.size(); ++mass)
+      if (model_.masses.pinned(mass) && !driven(mass))
+        pins_finite_ =
+            pins_finite_ && state_.position.at(mass).allFinite() && state_.velocity.at(mass).allFinite();
   }
 
   StepReport step(double h, double end_time) override {
@@ -45,11 +53,15 @@ class PackedStepper final : public Stepper {
     motion.h = static_cast<Real>(h);
     set_kick(whole ? h : 0.5 * h, motion.keep, motion.gain);
     if (!whole && !velocities_) set_kick(0.5 * last_h_, motion.end_keep, motion.end_gain);
-    const double start_time = state_.time;
+    StepReport report;
+    if (!std::isfinite(end_time) || !pins_finite_) {
+      report.status = StepStatus::not_finite;
+      return report;
+    }
+    keep_pins();
     place_pins(model_, end_time, state_.position, state_.velocity);
     links_.load_pins(state_.position, next_);
     links_.begin_step(motion.h, static_cast<Real>(whole ? 1.0 / (1.0 + h * model_.drag) : 1.0));
-    StepReport report;
     bool finite = true;
     for (int made = 0; made < passes_; ++made)
       finite = links_.pass(present_, next_, {made == 0, made == passes_ - 1}, made == 0 ? &motion : nullptr);
@@ -57,7 +69,7 @@ class PackedStepper final : public Stepper {
     report.link_solves = links_.size() * passes_;
     if (!finite) {
       links_.take_back();
-      place_pins(model_, start_time, state_.position, state_.velocity);
+      put_pins_back();
       report.status = StepStatus::not_finite;
       return report;
     }
@@ -106,6 +118,25 @@ class PackedStepper final : public Stepper {
   }
 
  private:
+  bool driven(std::size_t mass) const {
+    return std::ranges::any_of(model_.driven_pins, [mass](const DrivenPin& pin) { return pin.mass == mass; });
+  }
+
+  // Driven pins as they are before a step, for one that fails.
+  void keep_pins() {
+    pins_before_.clear();
+    for (const DrivenPin& pin : model_.driven_pins) {
+      pins_before_.push_back(state_.position.at(pin.mass));
+      pins_before_.push_back(state_.velocity.at(pin.mass));
+    }
+  }
+  void put_pins_back() {
+    for (std::size_t i = 0; i < model_.driven_pins.size(); ++i) {
+      state_.position.set(model_.driven_pins[i].mass, pins_before_[2 * i]);
+      state_.velocity.set(model_.driven_pins[i].mass, pins_before_[2 * i + 1]);
+    }
+  }
+
   // What gravity and drag make of a velocity in a kick of so many seconds: kick() without loads.
   void set_kick(double seconds, Real& keep, Packed<Real>& gain) const {
     const double answer = 1.0 / (1.0 + seconds * model_.drag);
@@ -124,6 +155,8 @@ class PackedStepper final : public Stepper {
   State state_;  // of pins always, of all else where it isn't behind
   Watched watched_;
   bool loaded_ = false, behind_ = false;
+  bool pins_finite_ = true;  // those that nothing drives
+  std::vector<Vec3> pins_before_;
   typename Relaxation<Real>::Masses previous_, present_,
       next_;                                 // the free masses before, now, and being made
   bool velocities_ = false;                  // previous_ has them

@@ -9,8 +9,8 @@ namespace taut {
 /// being made can be brought to a whole end; the second one ends it as usual. At most one at a time.
 class InterruptWatch {
  public:
-  /// `end_at_once` is called with the signal, in a thread of its own, where the watch still lives
-  /// `seconds_to_end` after it: whatever is going on then does not ask often enough.
+  /// `end_at_once` is called with the signal, in a thread of its own, where the watch still lives 0.8 s after
+  /// it: whatever is going on then does not ask often enough. (Under sanitizers, where all takes longer, 6 s.)
   explicit InterruptWatch(std::function<void(int)> end_at_once);
   ~InterruptWatch();
   InterruptWatch(const InterruptWatch&) = delete;
@@ -18,8 +18,6 @@ class InterruptWatch {
 
   /// The signal that came, 0 so far.
   int caught() const;
-
-  static constexpr double seconds_to_end = 0.8;
 
  private:
   std::thread deadline_;
