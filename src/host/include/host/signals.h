@@ -10,7 +10,8 @@ namespace taut {
 class InterruptWatch {
  public:
   /// `end_at_once` is called with the signal, in a thread of its own, where the watch still lives 0.8 s after
-  /// it: whatever is going on then does not ask often enough. (Under sanitizers, where all takes longer, 6 s.)
+  /// it: whatever is going on then does not ask often enough. (Under sanitizers, where all takes longer, 6
+  /// s.)
   explicit InterruptWatch(std::function<void(int)> end_at_once);
   ~InterruptWatch();
   InterruptWatch(const InterruptWatch&) = delete;
