@@ -1,7 +1,8 @@
 // The relaxation methods' cost per link and pass on square sheets with diagonals, hung by two corners,
 // integration and all overhead in, one pass a step, on one thread and on two: as the sheet has its links, and
 // in a shuffled order.
-// And the same sheets in Bullet's soft body, one position iteration a step, in its single precision.
+// And the same sheets in Bullet's soft body, one position iteration a step, in its single precision. It also
+// keeps a tree of its nodes up to date, which takes most of the time on large sheets.
 #include <BulletSoftBody/btSoftBody.h>
 #include <benchmark/benchmark.h>
 
@@ -99,6 +100,6 @@ void pass_over_a_sheet_in_bullet(benchmark::State& run) {
       benchmark::Counter(static_cast<double>(run.iterations()) * static_cast<double>(body.m_links.size()),
                          benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
-BENCHMARK(pass_over_a_sheet_in_bullet)->Arg(64)->Arg(256)->Arg(1024)->ArgName("size")->UseRealTime();
+BENCHMARK(pass_over_a_sheet_in_bullet)->Arg(64)->Arg(256)->ArgName("size")->UseRealTime();
 
 }  // namespace
