@@ -115,7 +115,7 @@ void describe(const Scene& scene, Json& json) {
   json["steps_per_second"] = scene.settings.steps_per_second();
 }
 
-Verdict check_scene(const std::string& argument, const CheckFlags& flags, const StopTest& stop) {
+Verdict check_scene(const std::string& argument, const CheckFlags& flags, int threads, const StopTest& stop) {
   Verdict verdict;
   verdict.json = {{"scene", argument}, {"ok", true}};
   try {
@@ -137,7 +137,7 @@ Verdict check_scene(const std::string& argument, const CheckFlags& flags, const 
     }
     if (flags.reference) verdict.json["reference"] = error_against_reference(scene, stop);
     if (flags.run)
-      check_run(scene, flags.changes.execution(flags.certify ? 1 : 0), flags.certify, stop, verdict);
+      check_run(scene, on_threads(threads), flags.certify, stop, verdict);
     else
       Simulation{scene};  // complains where the method can't do what the scene needs
   } catch (const BadRequest& problem) {
@@ -210,6 +210,7 @@ void print_verdict(const Verdict& verdict, const CheckFlags& flags) {
 
 int check(const CheckFlags& flags) {
   if (flags.certify && !flags.run) throw BadRequest("--certify needs a run to certify: --run");
+  const int threads = flags.changes.thread_count(flags.certify ? 1 : 0);
   const InterruptWatch interrupts(end_at_once);
   int status = exit_done;
   Json verdicts = Json::array();
@@ -217,7 +218,7 @@ int check(const CheckFlags& flags) {
     Verdict verdict;
     const int ended =
         unless_interrupted(interrupts, fmt::format("{} was not checked to its end", scene), [&] {
-          verdict = check_scene(scene, flags, stop_test(interrupts));
+          verdict = check_scene(scene, flags, threads, stop_test(interrupts));
           return exit_done;
         });
     if (ended != exit_done) return ended;

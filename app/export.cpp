@@ -119,6 +119,7 @@ int export_motion(const ExportFlags& flags) {
   if (flags.format != "csv")
     throw BadRequest(fmt::format("--format knows only csv, not \"{}\"", flags.format));
   const Table table = parse_table(flags.table);
+  const Execution execution = on_threads(flags.scene.thread_count(flags.certify ? 1 : 0));
   Scene scene = load(flags.scene.scene, flags.scene.overrides());
   print_notes(scene, flags.quiet);
   const std::vector<Instant> wanted = instants(flags, scene);
@@ -126,7 +127,7 @@ int export_motion(const ExportFlags& flags) {
   return unless_interrupted(interrupts, "nothing was written", [&]() -> int {
     const StopTest stop = stop_test(interrupts);
     const std::optional<Plan> plan = settle_method(scene, flags.plan, flags.scene.method, flags.quiet, stop);
-    Simulation simulation(scene, flags.scene.execution(flags.certify ? 1 : 0));
+    Simulation simulation(scene, execution);
     std::optional<Certifier> certifier;
     if (flags.certify) certifier.emplace(scene, stop);
     Sink sink(flags.file);

@@ -69,7 +69,7 @@ void SceneFlags::add_threads_to(Verb& verb) {
       "for what draws or certifies beside]");
 }
 
-Execution SceneFlags::execution(int busy) const {
+int SceneFlags::thread_count(int busy) const {
   constexpr int most = 256;
   double count = static_cast<double>(std::thread::hardware_concurrency()) - busy;
   if (!threads.empty()) {
@@ -77,8 +77,12 @@ Execution SceneFlags::execution(int busy) const {
     if (count < 1.0 || count > most || count != std::floor(count))
       throw BadRequest(fmt::format("--threads is a whole number from 1 to {}, not {}", most, threads));
   }
-  if (count < 2.0) return {};
-  return {std::make_shared<Workers>(static_cast<int>(std::min<double>(count, most)))};
+  return static_cast<int>(std::clamp<double>(count, 1, most));
+}
+
+Execution on_threads(int count) {
+  if (count < 2) return {};
+  return {std::make_shared<Workers>(count)};
 }
 
 SceneOverrides SceneFlags::overrides() const {

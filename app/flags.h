@@ -22,13 +22,16 @@ struct SceneFlags {
   void add_to(Verb& verb);
   /// Adds only the flags.
   void add_changes_to(Verb& verb);
-  /// Adds what execution() reads.
+  /// Adds what thread_count() reads.
   void add_threads_to(Verb& verb);
   SceneOverrides overrides() const;
-  /// What a run of the scene is to be stepped on: as many threads as asked for, or else as there are cores
-  /// beside so many that are busy with something else. Throws BadRequest.
-  Execution execution(int busy) const;
+  /// How many threads a run is to be stepped on: as many as asked for, or else as there are cores beside so
+  /// many that are busy with something else. Throws BadRequest.
+  int thread_count(int busy) const;
 };
+
+/// So many threads for one run.
+Execution on_threads(int count);
 
 /// Reads the scene that an argument means. Throws BadRequest with all of its errors.
 Scene load(const std::string& argument, const SceneOverrides& overrides);

@@ -22,7 +22,7 @@ int render(const RenderFlags& flags) {
   print_notes(scene, flags.output.quiet);
   flags.output.picture.apply_to(scene);
   RenderRequest request = flags.output.request("out/" + scene.name);
-  request.execution = flags.scene.execution(flags.output.certify ? 2 : 1);
+  request.execution = on_threads(flags.scene.thread_count(flags.output.certify ? 2 : 1));
   const InterruptWatch interrupts(end_at_once);
   return unless_interrupted(interrupts, "nothing was written", [&] {
     const std::optional<Plan> plan =

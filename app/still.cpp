@@ -33,12 +33,13 @@ int still(const StillFlags& flags) {
   flags.picture.apply_to(scene);
   const double time = parse_seconds("--at", flags.at);
   const PictureSettings settings = flags.picture.settings();
+  const Execution execution = on_threads(flags.scene.thread_count(0));
   std::optional<std::string> note;
   std::optional<Plan> plan;
   const InterruptWatch interrupts(end_at_once);
   const int status = unless_interrupted(interrupts, "nothing was written", [&] {
     plan = settle_method(scene, {}, flags.scene.method, flags.quiet, stop_test(interrupts));
-    note = make_still(scene, time, settings, flags.file, flags.scene.execution(0), stop_test(interrupts));
+    note = make_still(scene, time, settings, flags.file, execution, stop_test(interrupts));
     return exit_done;
   });
   if (status != exit_done) return status;

@@ -34,12 +34,13 @@ int strip(const StripFlags& flags) {
   flags.picture.apply_to(scene);
   const std::vector<double> times = strip_times(scene, parse_number("--count", flags.count));
   const PictureSettings settings = flags.picture.settings(strip_panel);
+  const Execution execution = on_threads(flags.scene.thread_count(0));
   std::optional<std::string> note;
   std::optional<Plan> plan;
   const InterruptWatch interrupts(end_at_once);
   const int status = unless_interrupted(interrupts, "nothing was written", [&] {
     plan = settle_method(scene, {}, flags.scene.method, flags.quiet, stop_test(interrupts));
-    note = make_strip(scene, times, settings, flags.file, flags.scene.execution(0), stop_test(interrupts));
+    note = make_strip(scene, times, settings, flags.file, execution, stop_test(interrupts));
     return exit_done;
   });
   if (status != exit_done) return status;

@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "methods/registry.h"
-#include "model/description.h"
 #include "motion/run.h"
 
 namespace taut {
@@ -41,22 +40,12 @@ Subject chain(int links) {
 }
 
 Subject sheet(int size, std::vector<Settings> ways) {
-  SheetSpec spec;
-  spec.name = "sheet";
-  spec.rows = spec.columns = size;
-  spec.to = {1.0, 0.0, 0.0};
-  spec.down = {0.0, 0.0, 1.0};
-  spec.pinned = {"top-left", "top-right"};
-  spec.diagonals = LinkProperties{};
-  Subject subject{fmt::format("sheet of {0} × {0}", size), {}, std::move(ways)};
-  subject.description.sheets = {spec};
-  return subject;
+  return {fmt::format("sheet of {0} × {0}", size), square_sheet(size), std::move(ways)};
 }
 
 std::vector<Subject> subjects() {
   std::vector<Settings> relaxations{way("xpbd"), way("xpbd", "single"), way("verlet"), way("shake")};
-  std::vector<Subject> all{chain(100), sheet(64, relaxations), sheet(256, relaxations)};
-  return all;
+  return {chain(100), sheet(64, relaxations), sheet(256, relaxations)};
 }
 
 // The median of as many steps as there is time for.
@@ -85,6 +74,19 @@ std::string title(const Settings& settings) {
 }
 
 }  // namespace
+
+Description square_sheet(int size) {
+  SheetSpec spec;
+  spec.name = "sheet";
+  spec.rows = spec.columns = size;
+  spec.to = {1.0, 0.0, 0.0};
+  spec.down = {0.0, 0.0, 1.0};
+  spec.pinned = {"top-left", "top-right"};
+  spec.diagonals = LinkProperties{};
+  Description description;
+  description.sheets = {spec};
+  return description;
+}
 
 std::vector<Speed> measure_speed(double seconds_each, int threads,
                                  const std::function<void(std::size_t done, std::size_t of)>& done,

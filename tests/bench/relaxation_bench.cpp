@@ -12,23 +12,11 @@
 #include <random>
 
 #include "bench_scenes.h"
+#include "study/speed.h"
 
 namespace {
 
 using namespace taut;
-
-Built sheet(int size) {
-  SheetSpec cloth;
-  cloth.name = "cloth";
-  cloth.rows = cloth.columns = size;
-  cloth.to = {1.0, 0.0, 0.0};
-  cloth.down = {0.0, 0.0, 1.0};
-  cloth.pinned = {"top-left", "top-right"};
-  cloth.diagonals = LinkProperties{};
-  Description description;
-  description.sheets = {cloth};
-  return bench::build_valid(description);
-}
 
 void shuffle_links(Links& links) {
   std::vector<std::size_t> order(links.size());
@@ -44,7 +32,7 @@ void shuffle_links(Links& links) {
 }
 
 void pass_over_a_sheet(benchmark::State& run, const char* name, const char* precision, int threads) {
-  Built built = sheet(static_cast<int>(run.range(0)));
+  Built built = bench::build_valid(square_sheet(static_cast<int>(run.range(0))));
   if (run.range(1) != 0) shuffle_links(built.model.links);
   constexpr double rate = 2400.0;
   Settings how = bench::settings(name, rate);
@@ -71,7 +59,7 @@ PASS_OVER_A_SHEET(verlet, "verlet", "", 1);
 PASS_OVER_A_SHEET(shake, "shake", "", 1);
 
 void pass_over_a_sheet_in_bullet(benchmark::State& run) {
-  const Built built = sheet(static_cast<int>(run.range(0)));
+  const Built built = bench::build_valid(square_sheet(static_cast<int>(run.range(0))));
   const Model& model = built.model;
   btSoftBodyWorldInfo world;
   world.m_gravity = btVector3(0, btScalar(-9.81), 0);

@@ -98,15 +98,29 @@ using Doubles = hn::FixedTag<double, 2>;
 using Singles = hn::FixedTag<float, 4>;
 #endif
 
-#if HWY_MAX_BYTES >= 32
-
-template <>
-struct Lanes<double> {
-  using Tag = Doubles;
-  using V = hn::Vec<Tag>;
+// Four vectors, each with a mass of one link or of two.
+template <class Vector>
+struct FourRows {
+  using V = Vector;
   struct Rows {
     V link[4];
   };
+
+  static HWY_INLINE Rows minus(const Rows& a, const Rows& b) {
+    return {{hn::Sub(a.link[0], b.link[0]), hn::Sub(a.link[1], b.link[1]), hn::Sub(a.link[2], b.link[2]),
+             hn::Sub(a.link[3], b.link[3])}};
+  }
+  static HWY_INLINE Rows plus(const Rows& a, const Rows& b) {
+    return {{hn::Add(a.link[0], b.link[0]), hn::Add(a.link[1], b.link[1]), hn::Add(a.link[2], b.link[2]),
+             hn::Add(a.link[3], b.link[3])}};
+  }
+};
+
+#if HWY_MAX_BYTES >= 32
+
+template <>
+struct Lanes<double> : FourRows<hn::Vec<Doubles> > {
+  using Tag = Doubles;
   static constexpr std::size_t count = 4;
 
   template <class Places>
@@ -117,14 +131,6 @@ struct Lanes<double> {
   template <class Places>
   static HWY_INLINE void store(const Rows& rows, Packed<double>* masses, const Places& at) {
     for (std::size_t i = 0; i < 4; ++i) hn::Store(rows.link[i], Tag(), &at_offset(masses, at(i)).x);
-  }
-  static HWY_INLINE Rows minus(const Rows& a, const Rows& b) {
-    return {{hn::Sub(a.link[0], b.link[0]), hn::Sub(a.link[1], b.link[1]), hn::Sub(a.link[2], b.link[2]),
-             hn::Sub(a.link[3], b.link[3])}};
-  }
-  static HWY_INLINE Rows plus(const Rows& a, const Rows& b) {
-    return {{hn::Add(a.link[0], b.link[0]), hn::Add(a.link[1], b.link[1]), hn::Add(a.link[2], b.link[2]),
-             hn::Add(a.link[3], b.link[3])}};
   }
   static HWY_INLINE Transposed<V> transposed(const Rows& d) {
     const V xz01 = hn::InterleaveLower(Tag(), d.link[0], d.link[1]),
@@ -191,15 +197,12 @@ struct Lanes<double> {
 
 #endif
 
+// A row is of a link and, where vectors are wide, of the one four places on.
 template <>
-struct Lanes<float> {
+struct Lanes<float> : FourRows<hn::Vec<Singles> > {
   using Tag = Singles;
-  using V = hn::Vec<Tag>;
   using Mass = hn::FixedTag<float, 4>;
   using Pairs = hn::RepartitionToWide<Tag>;
-  struct Rows {
-    V link[4];  // of the link and, where vectors are wide, of the one four places on
-  };
   static constexpr std::size_t count = hn::MaxLanes(Tag());
 
   static HWY_INLINE V load_row(const Packed<float>& low, [[maybe_unused]] const Packed<float>& high) {
@@ -226,14 +229,6 @@ struct Lanes<float> {
       hn::Store(rows.link[i], Mass(), &at_offset(masses, at(i)).x);
 #endif
     }
-  }
-  static HWY_INLINE Rows minus(const Rows& a, const Rows& b) {
-    return {{hn::Sub(a.link[0], b.link[0]), hn::Sub(a.link[1], b.link[1]), hn::Sub(a.link[2], b.link[2]),
-             hn::Sub(a.link[3], b.link[3])}};
-  }
-  static HWY_INLINE Rows plus(const Rows& a, const Rows& b) {
-    return {{hn::Add(a.link[0], b.link[0]), hn::Add(a.link[1], b.link[1]), hn::Add(a.link[2], b.link[2]),
-             hn::Add(a.link[3], b.link[3])}};
   }
   static HWY_INLINE V lower_pairs(V low, V high) {
     return hn::BitCast(Tag(),

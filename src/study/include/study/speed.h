@@ -6,8 +6,12 @@
 #include <vector>
 
 #include "base/stop.h"
+#include "model/description.h"
 
 namespace taut {
+
+/// A square sheet with diagonals, hung level by two corners: what relaxation is timed on.
+Description square_sheet(int size);
 
 /// How fast one way of running a model is on this machine.
 struct Speed {
