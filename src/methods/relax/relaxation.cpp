@@ -41,8 +41,9 @@ void Relaxation<Real>::links_changed(const State& state) {
   links_.clear();
   for (const Index link : solvable_links(model_))
     if (!state.broken(link) && (visits_ == Visits::all || model_.links.rigid(link))) links_.push_back(link);
-  const VisitOrder order = visit_order(model_, links_);
-  masses_ = order.masses;
+  // Where masses lie matters to the caches alone: breaks need not change it.
+  if (room_.empty()) masses_ = mass_order(model_, links_);
+  const VisitOrder order = visit_order(model_, links_, masses_);
   place_.assign(model_.masses.size(), 0);
   for (std::size_t i = 0; i < masses_.size(); ++i) place_[masses_[i]] = static_cast<Index>(i);
   room_.assign(masses_.size(), {});

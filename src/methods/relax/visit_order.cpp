@@ -110,6 +110,16 @@ double spread(const Model& model, const std::vector<Index>& links, const std::ve
   return sum;
 }
 
+// The places of a link's free ends, the lower one first.
+std::pair<Index, Index> ends_of(const Model& model, Index link, const std::vector<Index>& place) {
+  const Index a = model.links.a[link], b = model.links.b[link];
+  if (model.masses.pinned(a)) return {place[b], place[b]};
+  if (model.masses.pinned(b)) return {place[a], place[a]};
+  return std::minmax(place[a], place[b]);
+}
+
+}  // namespace
+
 std::vector<Index> mass_order(const Model& model, const std::vector<Index>& links) {
   std::vector<Index> numbered;
   for (std::size_t mass = 0; mass < model.masses.size(); ++mass)
@@ -121,22 +131,12 @@ std::vector<Index> mass_order(const Model& model, const std::vector<Index>& link
   return nearer ? sought : numbered;
 }
 
-// The places of a link's free ends, the lower one first.
-std::pair<Index, Index> ends_of(const Model& model, Index link, const std::vector<Index>& place) {
-  const Index a = model.links.a[link], b = model.links.b[link];
-  if (model.masses.pinned(a)) return {place[b], place[b]};
-  if (model.masses.pinned(b)) return {place[a], place[a]};
-  return std::minmax(place[a], place[b]);
-}
-
-}  // namespace
-
 // A link is visited with the block of its lower mass, or with the last of the blocks of those links of
 // earlier colours that share a mass with it: so each of them comes before it, in an earlier block or, in the
 // same one, with its earlier colour.
-VisitOrder visit_order(const Model& model, const std::vector<Index>& links) {
+VisitOrder visit_order(const Model& model, const std::vector<Index>& links, std::vector<Index> masses) {
   VisitOrder order;
-  order.masses = mass_order(model, links);
+  order.masses = std::move(masses);
   const std::vector<Index> place = places_in(order.masses, model.masses.size());
   const std::size_t block_size =
       order.masses.size() > masses_in_cache ? masses_in_block : std::max<std::size_t>(1, order.masses.size());
