@@ -46,12 +46,10 @@ bool AccelerationField::evaluate(double time, const Vectors& position, const Vec
   const SystemLinks& links = p.system.links;
   free_accelerations(p.model, p.whole, p.springs, time, position, velocity, acceleration, p.spring_tension);
   link_vectors(links, position, p.direction);
-  if (!p.system.matrix->factor(p.direction, p.direction, p.no_compliance)) return false;
-  second_derivatives(links, p.direction, velocity, acceleration, p.multipliers);
-  p.system.matrix->solve(p.multipliers);
-  std::vector<double> impulse(p.multipliers);
-  for (double& value : impulse) value = -value;
-  apply_impulses(links, p.direction, impulse, acceleration);
+  along_links_moving(links, p.direction, acceleration, velocity, p.multipliers);
+  if (!p.system.matrix->factor_and_solve(p.direction, p.direction, p.no_compliance, p.multipliers))
+    return false;
+  apply_impulses(links, p.direction, p.multipliers, acceleration, -1.0);
   return true;
 }
 
@@ -70,13 +68,11 @@ Vectors projected_velocities(const Model& model, const State& state) {
   Vectors direction;
   link_vectors(system.links, state.position, direction);
   const std::vector<double> no_compliance(system.links.size(), 0.0);
-  if (!system.matrix->factor(direction, direction, no_compliance)) return state.velocity;
   std::vector<double> impulse;
   along_links(system.links, direction, state.velocity, impulse);
-  system.matrix->solve(impulse);
-  for (double& value : impulse) value = -value;
+  if (!system.matrix->factor_and_solve(direction, direction, no_compliance, impulse)) return state.velocity;
   Vectors projected = state.velocity;
-  apply_impulses(system.links, direction, impulse, projected);
+  apply_impulses(system.links, direction, impulse, projected, -1.0);
   return projected;
 }
 

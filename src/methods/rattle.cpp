@@ -34,6 +34,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/vector_operations.h"
 #include "contact/joint_resistance.h"
 #include "direct/active_limits.h"
 #include "direct/link_system.h"
@@ -53,7 +54,12 @@ constexpr int most_rounds = 40;
 class RattleStepper final : public SwappingStepper {
  public:
   RattleStepper(const Model& model, int order)
-      : model_(model), order_(order), kicks_(model, 1.0), limits_(model), joints_(model) {}
+      : model_(model),
+        order_(order),
+        kicks_(model, 1.0),
+        limits_(model),
+        joints_(model),
+        tension_of_velocities_(!limits_.none() || !model.joints.empty()) {}
 
  private:
   void links_changed(const State& state) override {
@@ -62,50 +68,67 @@ class RattleStepper final : public SwappingStepper {
       if (model_.links.rigid(link) && !state.broken(link)) rigid.push_back(link);
     system_ = make_link_system(model_, rigid);
     no_compliance_.assign(rigid.size(), 0.0);
+    along_.resize(rigid.size());
+    squared_length_.clear();
+    inverse_square_.clear();
+    for (const double length : system_.links.length) {
+      squared_length_.push_back(length * length);
+      inverse_square_.push_back(1.0 / squared_length_.back());
+    }
     factored_along_.resize(0);
     kicks_.links_changed(state);
   }
 
   StepReport make_step(State& state, double h, double end_time) override {
-    copy_to_work(state);
+    begin_work(state);
     StepReport report;
-    const double outer =
-        1.0 / (2.0 - std::cbrt(2.0));  // Yoshida 1990: three steps of order 2 make one of order 4
-    const std::array composition{outer, 1.0 - 2.0 * outer, outer};
     if (order_ == 2) {
-      sub_step(state, state.time, h, end_time, report);
+      sub_step(state, state.time, h, end_time, state.position, state.velocity, report);
     } else {
-      double time = state.time;
-      for (const double share : composition) {
-        const double next = &share == &composition.back() ? end_time : time + share * h;
-        sub_step(state, time, share * h, next, report);
-        time = next;
-        if (report.status != StepStatus::done) return report;
-      }
+      compose(state, h, end_time, report);
     }
     if (report.status != StepStatus::done) return report;
-    if (limits_.none() && model_.joints.empty()) solve_tensions(state, end_time, report);
+    if (!tension_of_velocities_) solve_tensions(state, end_time, report);
     take_over(state, end_time, report);
     if (report.status == StepStatus::done) joints_.keep(position_, state);
     return report;
   }
 
-  // One step of order 2, from a time to another, on position_ and velocity_.
-  void sub_step(const State& start, double time, double h, double end_time, StepReport& report) {
-    const double half = 0.5 * h;
-    const SystemLinks& links = system_.links;
-    link_vectors(links, position_, start_direction_);
-    start_position_ = position_;
+  // Yoshida 1990: three steps of order 2 make one of order 4.
+  void compose(const State& start, double h, double end_time, StepReport& report) {
+    const double outer = 1.0 / (2.0 - std::cbrt(2.0)), inner = 1.0 - 2.0 * outer;
+    const double first = start.time + outer * h, second = first + inner * h;
+    part_position_ = start.position;
+    part_velocity_ = start.velocity;
+    const auto part = [&](double time, double share, double next) {
+      sub_step(start, time, share * h, next, part_position_, part_velocity_, report);
+      return report.status == StepStatus::done;
+    };
+    const auto go_on = [&] {
+      std::swap(part_position_, position_);
+      std::swap(part_velocity_, velocity_);
+    };
+    if (!part(start.time, outer, first)) return;
+    go_on();
+    if (!part(first, inner, second)) return;
+    go_on();
+    part(second, outer, end_time);
+  }
 
-    kicks_.start(start, time, half, position_, velocity_, velocity_, half_velocity_);
+  // One step of order 2 from a time to another, to position_ and velocity_.
+  void sub_step(const State& start, double time, double h, double end_time, const Vectors& position,
+                const Vectors& velocity, StepReport& report) {
+    const double half = 0.5 * h;
+    link_vectors(system_.links, position, start_direction_);
+    kicks_.start(start, time, half, position, velocity, velocity, half_velocity_);
     joints_.act(start, h, 0.5, half_velocity_);
-    drift(h, start_position_, half_velocity_, position_);
+    drift(h, position, half_velocity_, position_);
     place_pins(model_, end_time, position_, half_velocity_);
     report.link_solves += kicks_.solves();
-    limits_.begin_half_kicks(h, start_position_, position_);
-    if (!solve_positions(report)) return;
+    limits_.begin_half_kicks(h, position, position_);
+    if (!solve_positions(position, report)) return;
 
-    difference_quotient(h, start_position_, position_, velocity_);
+    difference_quotient(h, position, position_, velocity_);
     place_pins(model_, end_time, position_, velocity_);
     kicks_.end(start, end_time, half, position_, half_velocity_, velocity_, tension_);
     limits_.kick(position_, 1.0 / (1.0 + half * model_.drag), velocity_);
@@ -113,108 +136,138 @@ class RattleStepper final : public SwappingStepper {
     solve_velocities(half, report);
   }
 
-  bool solve_positions(StepReport& report) {
+  bool solve_positions(const Vectors& start, StepReport& report) {
     const SystemLinks& links = system_.links;
     const double tolerance = length_tolerance(links, position_);
-    residual_.resize(links.size());
     for (int round = 0; round < most_rounds; ++round) {
       link_vectors(links, position_, direction_);
-      if (!measure_residual(report)) return false;
-      const double beyond = limits_.look(position_, &start_position_);
-      if (worst_ <= tolerance && beyond <= limit_tolerance) return true;
-      if (!factor_for_positions(report)) {
+      const double worst = measure_residual(report);
+      if (report.status != StepStatus::done) return false;
+      const double beyond = limits_.look(position_, &start);
+      if (worst <= tolerance && beyond <= limit_tolerance) return true;
+      if (!solve_round(report)) {
         report.status = StepStatus::factorisation_failed;
         return false;
       }
-      if (limits_.none())
-        system_.matrix->solve(residual_);
-      else
-        limits_.push(system_, direction_, start_direction_, 1.0, residual_, position_);
       report.rounds += 1;
       report.link_solves += static_cast<std::int64_t>(links.size());
-      for (double& value : residual_) value = -value;
-      apply_impulses(links, start_direction_, residual_, position_);
+      apply_impulses(links, start_direction_, residual_, position_, -1.0);
     }
+    link_vectors(links, position_, direction_);
+    measure_residual(report);
+    if (report.status != StepStatus::done) return false;
     report.status = StepStatus::not_converged;
+    if (links.size() > 0) report.worst_link = links.link[worst_place(report.status)];
     return false;
   }
 
-  // g of every link, the largest |g|/l² and its link; false where a link has lost its direction or a number
-  // its finiteness.
-  bool measure_residual(StepReport& report) {
+  // g of every link; returns the largest |g|/l². Reports a link that has lost its direction, or a number that
+  // is no longer finite.
+  double measure_residual(StepReport& report) {
     const SystemLinks& links = system_.links;
-    worst_ = 0.0;
-    double lost = infinity;  // least d·d₀/l²
-    std::size_t worst_link = 0, lost_link = 0;
-    for (std::size_t i = 0; i < links.size(); ++i) {
-      const double squared = links.length[i] * links.length[i];
-      const double x = direction_.x[i], y = direction_.y[i], z = direction_.z[i];
-      residual_[i] = 0.5 * (x * x + y * y + z * z - squared);
-      const double along = x * start_direction_.x[i] + y * start_direction_.y[i] + z * start_direction_.z[i];
-      const double size = std::abs(residual_[i]) / squared;
-      if (!(size <= worst_) && !std::isnan(worst_)) {
-        worst_ = size;
-        worst_link = i;
-      }
-      if (!(along / squared >= lost)) {
-        lost = along / squared;
-        lost_link = i;
-      }
-    }
-    if (links.size() == 0) return true;
-    if (!std::isfinite(worst_)) {
+    residual_.resize(links.size());
+    if (links.size() == 0) return 0.0;
+    const auto x = all_of(direction_.x), y = all_of(direction_.y), z = all_of(direction_.z);
+    all_of(residual_) = 0.5 * (x * x + y * y + z * z - all_of(squared_length_));
+    all_of(along_) =
+        (x * all_of(start_direction_.x) + y * all_of(start_direction_.y) + z * all_of(start_direction_.z)) *
+        all_of(inverse_square_);
+    const double worst = (all_of(residual_) * all_of(inverse_square_)).abs().maxCoeff<Eigen::PropagateNaN>();
+    const double lost = all_of(along_).minCoeff<Eigen::PropagateNaN>();
+    if (!std::isfinite(worst)) {
       report.status = StepStatus::not_finite;
-    } else if (lost <= 0.0) {
+    } else if (!(lost > 0.0)) {
       report.status = StepStatus::direction_lost;
-      worst_link = lost_link;
+    } else {
+      return worst;
     }
-    report.worst_link = links.link[worst_link];
-    return report.status == StepStatus::done;
+    report.worst_link = links.link[worst_place(report.status)];
+    return worst;
   }
 
-  bool factor_for_positions(StepReport& report) {
-    if (system_.matrix->takes_unsymmetric()) {
+  // The first link with the least share of its direction, or the largest error; or that is not finite.
+  std::size_t worst_place(StepStatus what) const {
+    std::size_t place = 0;
+    double most = -infinity;
+    for (std::size_t i = 0; i < residual_.size(); ++i) {
+      const double size =
+          what == StepStatus::direction_lost ? -along_[i] : std::abs(residual_[i]) * inverse_square_[i];
+      if (size <= most) continue;
+      place = i;
+      most = size;
+      if (std::isnan(size)) break;
+    }
+    return place;
+  }
+
+  // A round's change of the multipliers, in place of the residual.
+  bool solve_round(StepReport& report) {
+    const bool unsymmetric = system_.matrix->takes_unsymmetric();
+    if (unsymmetric && limits_.none()) {
       ++report.factorisations;
-      return system_.matrix->factor(direction_, start_direction_, no_compliance_);
+      return system_.matrix->factor_and_solve(direction_, start_direction_, no_compliance_, residual_);
     }
-    return factor_symmetric(start_direction_, report);
-  }
-
-  // Factorises J W Jᵀ unless that is what the matrix already holds.
-  bool factor_symmetric(const Vectors& along, StepReport& report) {
-    if (!system_.matrix->takes_unsymmetric() && factored_along_ == along) return true;
-    ++report.factorisations;
-    factored_along_.resize(0);
-    if (!system_.matrix->factor(along, along, no_compliance_)) return false;
-    if (!system_.matrix->takes_unsymmetric()) factored_along_ = along;
+    if (unsymmetric) {
+      ++report.factorisations;
+      if (!system_.matrix->factor(direction_, start_direction_, no_compliance_)) return false;
+    } else if (!factor_symmetric(start_direction_, report)) {
+      return false;
+    }
+    if (limits_.none())
+      system_.matrix->solve(residual_);
+    else
+      limits_.push(system_, direction_, start_direction_, 1.0, residual_, position_);
     return true;
   }
 
+  // Factorises J W Jᵀ of a net unless that is what its matrix already holds.
+  bool factor_symmetric(const Vectors& along, StepReport& report) {
+    if (factored_along_ == along) return true;
+    ++report.factorisations;
+    factored_along_.resize(0);
+    if (!system_.matrix->factor(along, along, no_compliance_)) return false;
+    factored_along_ = along;
+    return true;
+  }
+
+  // Along direction_, which solve_positions() has left as that of the end of the step.
   void solve_velocities(double half, StepReport& report) {
     const SystemLinks& links = system_.links;
-    link_vectors(links, position_, direction_);
-    if (!factor_symmetric(direction_, report)) {
+    along_links(links, direction_, velocity_, residual_);
+    if (!answer_velocities(report)) {
       report.status = StepStatus::factorisation_failed;
       return;
     }
-    along_links(links, direction_, velocity_, residual_);
+    report.link_solves += static_cast<std::int64_t>(links.size());
+    if (tension_of_velocities_)
+      for (std::size_t i = 0; i < links.size(); ++i)
+        tension_[links.link[i]] = residual_[i] * links.length[i] * (1.0 + half * model_.drag) / half;
+    apply_impulses(links, direction_, residual_, velocity_, -1.0);
+  }
+
+  bool answer_velocities(StepReport& report) {
+    if (system_.matrix->takes_unsymmetric() && limits_.none()) {
+      ++report.factorisations;
+      return system_.matrix->factor_and_solve(direction_, direction_, no_compliance_, residual_);
+    }
+    if (system_.matrix->takes_unsymmetric()) {
+      ++report.factorisations;
+      if (!system_.matrix->factor(direction_, direction_, no_compliance_)) return false;
+    } else if (!factor_symmetric(direction_, report)) {
+      return false;
+    }
     if (limits_.none())
       system_.matrix->solve(residual_);
     else
       limits_.stop(system_, direction_, position_, residual_, velocity_);
-    report.link_solves += static_cast<std::int64_t>(links.size());
-    for (std::size_t i = 0; i < links.size(); ++i) {
-      tension_[links.link[i]] = residual_[i] * links.length[i] * (1.0 + half * model_.drag) / half;
-      residual_[i] = -residual_[i];
-    }
-    apply_impulses(links, direction_, residual_, velocity_);
+    return true;
   }
 
   // With the matrix of the velocities, which the system still holds.
   void solve_tensions(const State& whole, double time, StepReport& report) {
     const SystemLinks& links = system_.links;
     kicks_.accelerations(whole, time, position_, velocity_, acceleration_, tension_);
-    second_derivatives(links, direction_, velocity_, acceleration_, residual_);
+    along_links_moving(links, direction_, acceleration_, velocity_, residual_);
     system_.matrix->solve(residual_);
     report.link_solves += static_cast<std::int64_t>(links.size());
     for (std::size_t i = 0; i < links.size(); ++i) tension_[links.link[i]] = residual_[i] * links.length[i];
@@ -225,13 +278,15 @@ class RattleStepper final : public SwappingStepper {
   HalfKicks kicks_;
   ActiveLimits limits_;
   JointResistance joints_;
+  bool tension_of_velocities_;  // what stops and joints do is no part of the tension at acceleration level
   LinkSystem system_;
   std::vector<double> no_compliance_;
   Vectors factored_along_;  // directions whose symmetric matrix a net's factor holds
-  Vectors start_position_, half_velocity_, acceleration_;
+  Vectors half_velocity_, acceleration_;
+  Vectors part_position_, part_velocity_;  // where a part of a step of order 4 begins
   Vectors start_direction_, direction_;
-  std::vector<double> residual_;
-  double worst_ = 0.0;
+  std::vector<double> residual_, along_;  // g (m²), and d·d₀/l²
+  std::vector<double> squared_length_, inverse_square_;
 };
 
 constexpr std::array<std::string_view, 2> orders{"2", "4"};

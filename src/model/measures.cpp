@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/vector_operations.h"
+
 namespace taut {
 
 Strain link_strain(const Model& model, const State& state) {
@@ -29,11 +31,12 @@ Strain link_strain(const Model& model, const State& state) {
 
 Energy energy(const Model& model, const State& state) {
   Energy energy;
-  for (std::size_t i = 0; i < model.masses.size(); ++i) {
-    if (model.masses.pinned(i)) continue;
-    energy.kinetic += 0.5 * model.masses.mass[i] * state.velocity.at(i).squaredNorm();
-    energy.potential -= model.masses.mass[i] * model.gravity.dot(state.position.at(i));
-  }
+  const auto mass = free_masses(model.masses.inverse_mass) * all_of(model.masses.mass);
+  const Vectors &v = state.velocity, &x = state.position;
+  energy.kinetic = 0.5 * (mass * (all_of(v.x).square() + all_of(v.y).square() + all_of(v.z).square())).sum();
+  energy.potential = -(mass * (model.gravity.x() * all_of(x.x) + model.gravity.y() * all_of(x.y) +
+                               model.gravity.z() * all_of(x.z)))
+                          .sum();
   for (std::size_t i = 0; i < model.links.size(); ++i) {
     if (model.links.rigid(i) || state.broken(i)) continue;
     const double stretch = link_distance(model, state.position, i) - model.links.length[i];

@@ -16,8 +16,8 @@ TEST(RunReport, TellsOfHalvedSteps) {
   Description description = level_chain(40, 1.0 / 40.0);
   description.chains[0].last_mass = 50.0;
   const Built built = build_valid(description);
-  taut::Run run(built.model, built.start, settings("newton", 60.0));
-  while (run.steps() < 60 && run.step()) {
+  taut::Run run(built.model, built.start, settings("newton", 30.0));
+  while (run.steps() < 30 && run.step()) {
   }
   const RunReport& report = run.report();
   ASSERT_EQ(run.failure(), "");
@@ -26,7 +26,7 @@ TEST(RunReport, TellsOfHalvedSteps) {
   EXPECT_GE(report.deepest_halving, 1);
   EXPECT_LE(report.first_halved_at, report.last_halved_at);
   const std::string sentence = halving_sentence(built.model, report);
-  EXPECT_NE(sentence.find(fmt::format("{} of 60 steps", report.halved_steps)), std::string::npos) << sentence;
+  EXPECT_NE(sentence.find(fmt::format("{} of 30 steps", report.halved_steps)), std::string::npos) << sentence;
   EXPECT_NE(sentence.find("rope."), std::string::npos) << sentence;
 }
 

@@ -100,7 +100,7 @@ first_motion = { amplitude = [0.6, 0, 0], angular_frequency = 60 }
 duration = 2
 [solve]
 method = "rattle"
-steps_per_second = 60
+steps_per_second = 40
 [[chain]]
 name = "rope"
 from = [0, 2, 0]

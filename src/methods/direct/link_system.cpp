@@ -2,9 +2,40 @@
 
 #include <algorithm>
 
+#include "base/vector_operations.h"
 #include "direct/link_matrices.h"
 
 namespace taut {
+
+namespace {
+
+constexpr std::size_t least_row = 8;  // links in a row, on average, that pay for going row by row
+
+std::vector<LinkRow> find_rows(const SystemLinks& links) {
+  std::vector<LinkRow> rows;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const std::size_t a = links.a[i], b = links.b[i];
+    if (!rows.empty() && a == rows.back().a + rows.back().count && b == rows.back().b + rows.back().count)
+      ++rows.back().count;
+    else
+      rows.push_back({i, 1, a, b});
+  }
+  if (rows.size() * least_row > links.size()) rows.clear();
+  return rows;
+}
+
+// The differences u_a − u_b of a row along one axis.
+auto across(const LinkRow& row, const std::vector<double>& axis) {
+  return segment(axis, row.a, row.count) - segment(axis, row.b, row.count);
+}
+
+auto along(const LinkRow& row, const Vectors& columns, const Vectors& u) {
+  return segment(columns.x, row.begin, row.count) * across(row, u.x) +
+         segment(columns.y, row.begin, row.count) * across(row, u.y) +
+         segment(columns.z, row.begin, row.count) * across(row, u.z);
+}
+
+}  // namespace
 
 SystemLinks gather(const Model& model, std::span<const Index> links) {
   SystemLinks gathered;
@@ -19,11 +50,19 @@ SystemLinks gather(const Model& model, std::span<const Index> links) {
     gathered.compliance.push_back(model.links.compliance(link));
     gathered.damping.push_back(model.links.damping[link]);
   }
+  gathered.rows = find_rows(gathered);
   return gathered;
 }
 
 void link_vectors(const SystemLinks& links, const Vectors& position, Vectors& difference) {
   difference.resize(links.size());
+  if (!links.rows.empty()) {
+    for (const LinkRow& row : links.rows)
+      for_each_axis(
+          [&row](const auto& from, auto& to) { segment(to, row.begin, row.count) = across(row, from); },
+          position, difference);
+    return;
+  }
   for (std::size_t i = 0; i < links.size(); ++i) {
     const Index a = links.a[i], b = links.b[i];
     difference.x[i] = position.x[a] - position.x[b];
@@ -35,15 +74,50 @@ void link_vectors(const SystemLinks& links, const Vectors& position, Vectors& di
 void along_links(const SystemLinks& links, const Vectors& columns, const Vectors& u,
                  std::vector<double>& result) {
   result.resize(links.size());
+  if (!links.rows.empty()) {
+    for (const LinkRow& row : links.rows) segment(result, row.begin, row.count) = along(row, columns, u);
+    return;
+  }
   for (std::size_t i = 0; i < links.size(); ++i)
     result[i] = columns.at(i).dot(u.at(links.a[i]) - u.at(links.b[i]));
 }
 
-void apply_impulses(const SystemLinks& links, const Vectors& columns, std::span<const double> strength,
-                    Vectors& target) {
+void along_links_moving(const SystemLinks& links, const Vectors& columns, const Vectors& u, const Vectors& v,
+                        std::vector<double>& result) {
+  result.resize(links.size());
+  if (!links.rows.empty()) {
+    for (const LinkRow& row : links.rows)
+      segment(result, row.begin, row.count) =
+          along(row, columns, u) +
+          (across(row, v.x).square() + across(row, v.y).square() + across(row, v.z).square());
+    return;
+  }
   for (std::size_t i = 0; i < links.size(); ++i) {
     const Index a = links.a[i], b = links.b[i];
-    const double on_a = links.weight_a[i] * strength[i], on_b = links.weight_b[i] * strength[i];
+    result[i] = columns.at(i).dot(u.at(a) - u.at(b)) + (v.at(a) - v.at(b)).squaredNorm();
+  }
+}
+
+void apply_impulses(const SystemLinks& links, const Vectors& columns, std::span<const double> strength,
+                    Vectors& target, double factor) {
+  if (!links.rows.empty()) {
+    for (const LinkRow& row : links.rows) {
+      const Eigen::Map<const Eigen::ArrayXd> pull(&strength[row.begin], static_cast<Eigen::Index>(row.count));
+      const auto push_axis = [&](const std::vector<double>& column, std::vector<double>& axis) {
+        const auto along = segment(column, row.begin, row.count);
+        segment(axis, row.a, row.count) +=
+            factor * segment(links.weight_a, row.begin, row.count) * pull * along;
+        segment(axis, row.b, row.count) -=
+            factor * segment(links.weight_b, row.begin, row.count) * pull * along;
+      };
+      for_each_axis(push_axis, columns, target);
+    }
+    return;
+  }
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const Index a = links.a[i], b = links.b[i];
+    const double on_a = factor * links.weight_a[i] * strength[i],
+                 on_b = factor * links.weight_b[i] * strength[i];
     target.x[a] += on_a * columns.x[i];
     target.y[a] += on_a * columns.y[i];
     target.z[a] += on_a * columns.z[i];

@@ -9,6 +9,13 @@
 
 namespace taut {
 
+/// Links that follow each other in a solver's order, whose masses do so, too: link begin + k joins the masses
+/// a + k and b + k.
+struct LinkRow {
+  std::size_t begin = 0, count = 0;
+  std::size_t a = 0, b = 0;
+};
+
 /// What a solve reads of its links, side by side in the solver's order.
 struct SystemLinks {
   std::vector<Index> link;                 ///< index in the Model
@@ -17,6 +24,7 @@ struct SystemLinks {
   std::vector<double> length;              ///< m
   std::vector<double> compliance;          ///< m/N; 0 = rigid
   std::vector<double> damping;             ///< N s/m
+  std::vector<LinkRow> rows;  ///< all of the links, several at once; empty where rows are too short to pay
 
   std::size_t size() const { return link.size(); }
 };
@@ -31,9 +39,13 @@ void link_vectors(const SystemLinks& links, const Vectors& position, Vectors& di
 void along_links(const SystemLinks& links, const Vectors& columns, const Vectors& u,
                  std::vector<double>& result);
 
-/// x_a += w_a s_i c_i and x_b −= w_b s_i c_i for every link i: adds W Cᵀ s.
+/// c·(u_a − u_b) + |v_a − v_b|² of every link: C u, and what moving directions add to it.
+void along_links_moving(const SystemLinks& links, const Vectors& columns, const Vectors& u, const Vectors& v,
+                        std::vector<double>& result);
+
+/// x_a += f w_a s_i c_i and x_b −= f w_b s_i c_i for every link i: adds f W Cᵀ s.
 void apply_impulses(const SystemLinks& links, const Vectors& columns, std::span<const double> strength,
-                    Vectors& target);
+                    Vectors& target, double factor = 1.0);
 
 /// The linear system of links that pull on shared masses,
 ///   A_ij = Σ over shared masses m of ± w_m r_i·c_j (+ where both links hold the mass by the same end), plus
@@ -46,6 +58,13 @@ class LinkMatrix {
   virtual bool factor(const Vectors& rows, const Vectors& columns, std::span<const double> diagonal) = 0;
   /// Solves A x = b in place.
   virtual void solve(std::vector<double>& b) = 0;
+  /// Both, one after the other.
+  virtual bool factor_and_solve(const Vectors& rows, const Vectors& columns, std::span<const double> diagonal,
+                                std::vector<double>& b) {
+    if (!factor(rows, columns, diagonal)) return false;
+    solve(b);
+    return true;
+  }
   /// Whether rows and columns may differ.
   virtual bool takes_unsymmetric() const = 0;
 };

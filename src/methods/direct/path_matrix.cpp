@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "base/vector_operations.h"
 #include "direct/link_matrices.h"
 
 namespace taut {
@@ -30,30 +31,13 @@ class PathMatrix final : public LinkMatrix {
 
   bool factor(const Vectors& rows, const Vectors& columns, std::span<const double> diagonal) override {
     fill(rows, columns, diagonal);
-    const std::size_t count = weight_.size();
-    if (count == 0) return true;
-    double unsound = 0.0;  // 0 unless a pivot or its inverse is not finite
-    double from_first = 0.0, from_last = 0.0;
-    const auto eliminate = [&](std::size_t i, double towards, double away, double& carried) {
-      const double inverse = invert_pivot(i, carried, unsound);
-      inward_[i] = towards * inverse;
-      outward_[i] = away * inverse;
-      carried = towards * away * inverse;
-    };
-    std::size_t last = count;
-    for (std::size_t first = 0; first < middle_; ++first) {
-      eliminate(first, below_[first], above_[first], from_first);
-      if (--last > middle_) eliminate(last, above_[last - 1], below_[last - 1], from_last);
-    }
-    invert_pivot(middle_, from_first + from_last, unsound);
-    return unsound == 0.0;
+    return eliminate([](std::size_t, double) { return 0.0; }, [](double) {});
   }
 
   void solve(std::vector<double>& b) override {
-    const std::size_t count = b.size();
-    if (count == 0) return;
+    if (b.empty()) return;
     double from_first = 0.0, from_last = 0.0;
-    std::size_t last = count;
+    std::size_t last = b.size();
     for (std::size_t first = 0; first < middle_; ++first) {
       b[first] -= from_first;
       from_first = inward_[first] * b[first];
@@ -61,28 +45,75 @@ class PathMatrix final : public LinkMatrix {
       b[last] -= from_last;
       from_last = inward_[last] * b[last];
     }
-    b[middle_] = (b[middle_] - from_first - from_last) * inverse_pivot_[middle_];
-    double towards_first = b[middle_], towards_last = b[middle_];
-    last = middle_;
-    for (std::size_t first = middle_; first-- > 0;) {
-      b[first] = towards_first = b[first] * inverse_pivot_[first] - outward_[first] * towards_first;
-      if (++last >= count) continue;
-      b[last] = towards_last = b[last] * inverse_pivot_[last] - outward_[last] * towards_last;
-    }
+    b[middle_] -= from_first + from_last;
+    substitute_back(b);
+  }
+
+  // The right side is eliminated along with the matrix, while its divisions are waited for.
+  bool factor_and_solve(const Vectors& rows, const Vectors& columns, std::span<const double> diagonal,
+                        std::vector<double>& b) override {
+    fill(rows, columns, diagonal);
+    const auto meet = [&](double carried) { b[middle_] -= carried; };
+    if (!eliminate([&](std::size_t i, double carried) { return b[i] -= carried; }, meet)) return false;
+    if (!b.empty()) substitute_back(b);
+    return true;
   }
 
  private:
   // The three diagonals.
   void fill(const Vectors& rows, const Vectors& columns, std::span<const double> diagonal) {
     const std::size_t count = weight_.size();
-    const double *rx = rows.x.data(), *ry = rows.y.data(), *rz = rows.z.data();
-    const double *cx = columns.x.data(), *cy = columns.y.data(), *cz = columns.z.data();
-    for (std::size_t i = 0; i < count; ++i)
-      entry_[i] = weight_[i] * (rx[i] * cx[i] + ry[i] * cy[i] + rz[i] * cz[i]) + diagonal[i];
-    for (std::size_t i = 0; i + 1 < count; ++i)
-      above_[i] = coupling_[i] * (rx[i] * cx[i + 1] + ry[i] * cy[i + 1] + rz[i] * cz[i + 1]);
-    for (std::size_t i = 0; i + 1 < count; ++i)
-      below_[i] = coupling_[i] * (rx[i + 1] * cx[i] + ry[i + 1] * cy[i] + rz[i + 1] * cz[i]);
+    if (count == 0) return;
+    const auto products = [&](const Vectors& r, std::size_t i, const Vectors& c, std::size_t j,
+                              std::size_t size) {
+      return segment(r.x, i, size) * segment(c.x, j, size) + segment(r.y, i, size) * segment(c.y, j, size) +
+             segment(r.z, i, size) * segment(c.z, j, size);
+    };
+    all_of(entry_) = all_of(weight_) * products(rows, 0, columns, 0, count) +
+                     Eigen::Map<const Eigen::ArrayXd>(diagonal.data(), std::ssize(diagonal));
+    const std::size_t pairs = count - 1;
+    const auto coupling = segment(coupling_, 0, pairs);
+    segment(above_, 0, pairs) = coupling * products(rows, 0, columns, 1, pairs);
+    if (&rows != &columns) segment(below_, 0, pairs) = coupling * products(rows, 1, columns, 0, pairs);
+    symmetric_ = &rows == &columns;
+  }
+
+  // What reduce(i, carried) gives for a right side's entry, less what was carried to it, is carried on; what
+  // comes to the middle from both sides goes to meet().
+  template <class Reduce, class Meet>
+  bool eliminate(const Reduce& reduce, const Meet& meet) {
+    const std::size_t count = weight_.size();
+    if (count == 0) return true;
+    const std::vector<double>& below = symmetric_ ? above_ : below_;
+    double unsound = 0.0;  // 0 unless a pivot or its inverse is not finite
+    double from_first = 0.0, from_last = 0.0, right_first = 0.0, right_last = 0.0;
+    const auto step = [&](std::size_t i, double towards, double away, double& carried, double& right) {
+      const double inverse = invert_pivot(i, carried, unsound);
+      inward_[i] = towards * inverse;
+      outward_[i] = away * inverse;
+      carried = towards * away * inverse;
+      right = inward_[i] * reduce(i, right);
+    };
+    std::size_t last = count;
+    for (std::size_t first = 0; first < middle_; ++first) {
+      step(first, below[first], above_[first], from_first, right_first);
+      if (--last > middle_) step(last, above_[last - 1], below[last - 1], from_last, right_last);
+    }
+    invert_pivot(middle_, from_first + from_last, unsound);
+    meet(right_first + right_last);
+    return unsound == 0.0;
+  }
+
+  // From the middle to both ends.
+  void substitute_back(std::vector<double>& b) const {
+    b[middle_] *= inverse_pivot_[middle_];
+    double towards_first = b[middle_], towards_last = b[middle_];
+    std::size_t last = middle_;
+    for (std::size_t first = middle_; first-- > 0;) {
+      b[first] = towards_first = b[first] * inverse_pivot_[first] - outward_[first] * towards_first;
+      if (++last >= b.size()) continue;
+      b[last] = towards_last = b[last] * inverse_pivot_[last] - outward_[last] * towards_last;
+    }
   }
 
   double invert_pivot(std::size_t i, double carried, double& unsound) {
@@ -96,7 +127,8 @@ class PathMatrix final : public LinkMatrix {
   std::vector<double> weight_;         // w_a + w_b
   std::vector<double> coupling_;       // ± w_m of the mass shared with the next link; 0 where there is none
   std::vector<double> entry_;          // A_ii
-  std::vector<double> above_, below_;  // A_{i,i+1}, A_{i+1,i}
+  std::vector<double> above_, below_;  // A_{i,i+1}, A_{i+1,i}; the latter only where they differ
+  bool symmetric_ = false;
   std::vector<double> inverse_pivot_;
   std::vector<double> inward_,
       outward_;  // off-diagonals over the pivot: towards the middle's row, and its own

@@ -11,8 +11,8 @@ namespace {
 // v' = v·keep + gain in the free masses.
 void kick_axis(const std::vector<double>& inverse_mass, double gain, double keep,
                const std::vector<double>& velocity, std::vector<double>& kicked) {
-  for (std::size_t i = 0; i < velocity.size(); ++i)
-    kicked[i] = inverse_mass[i] == 0.0 ? velocity[i] : velocity[i] * keep + gain;
+  const auto free = free_masses(inverse_mass);
+  all_of(kicked) = all_of(velocity) * (keep * free + (1.0 - free)) + gain * free;
 }
 
 // The wind's push on a triangle.
@@ -61,6 +61,20 @@ void kick(const Model& model, double load_time, double h, const Vectors& velocit
     const Vec3 impulse = load.force * (load.share(load_time) * h * answer);
     if (impulse.isZero(0.0)) continue;
     for (const Index mass : load.masses) kicked.add(mass, impulse * inverse_mass[mass]);
+  }
+}
+
+void fall(const Model& model, double load_time, const Vectors& velocity, Vectors& acceleration) {
+  const std::vector<double>& inverse_mass = model.masses.inverse_mass;
+  const auto fall_axis = [&](double gravity, const std::vector<double>& along, std::vector<double>& result) {
+    all_of(result) = free_masses(inverse_mass) * (gravity - model.drag * all_of(along));
+  };
+  fall_axis(model.gravity.x(), velocity.x, acceleration.x);
+  fall_axis(model.gravity.y(), velocity.y, acceleration.y);
+  fall_axis(model.gravity.z(), velocity.z, acceleration.z);
+  for (const Load& load : model.loads) {
+    const Vec3 force = load.force * load.share(load_time);
+    for (const Index mass : load.masses) acceleration.add(mass, force * inverse_mass[mass]);
   }
 }
 

@@ -15,6 +15,9 @@ enum class DragAt { end, start };
 void kick(const Model& model, double load_time, double h, const Vectors& velocity, Vectors& kicked,
           DragAt drag_at = DragAt::end);
 
+/// Accelerations (m/s²) by gravity, loads and drag; 0 for pins.
+void fall(const Model& model, double load_time, const Vectors& velocity, Vectors& acceleration);
+
 /// Lets the wind, where there is one, blow for h seconds on the sheets' triangles that are whole in `state`:
 /// each, of area A and unit normal n, is pushed by F = ρ C A |u·n| (u·n) n/2, u being the air's velocity
 /// relative to it, whichever side faces it; its three masses share F. `velocity` is that of the masses the

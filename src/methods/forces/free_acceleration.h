@@ -14,8 +14,4 @@ void free_accelerations(const Model& model, const State& whole, const Springs& s
                         const Vectors& position, const Vectors& velocity, Vectors& acceleration,
                         std::vector<double>& spring_tension);
 
-/// The right side of the multipliers at acceleration level, d·(a_a − a_b) + |ḋ|² of every link.
-void second_derivatives(const SystemLinks& links, const Vectors& direction, const Vectors& velocity,
-                        const Vectors& acceleration, std::vector<double>& result);
-
 }  // namespace taut

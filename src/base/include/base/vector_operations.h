@@ -1,5 +1,8 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <vector>
+
 #include "base/vectors.h"
 
 namespace taut {
@@ -10,6 +13,26 @@ void for_each_axis(const Visit& visit, Many&... vectors) {
   visit(vectors.x...);
   visit(vectors.y...);
   visit(vectors.z...);
+}
+
+/// The numbers [begin, begin + count) of an array, for arithmetic on several at once.
+inline auto segment(std::vector<double>& values, std::size_t begin, std::size_t count) {
+  return Eigen::Map<Eigen::ArrayXd>(values.data() + begin, static_cast<Eigen::Index>(count));
+}
+inline auto segment(const std::vector<double>& values, std::size_t begin, std::size_t count) {
+  return Eigen::Map<const Eigen::ArrayXd>(values.data() + begin, static_cast<Eigen::Index>(count));
+}
+/// All of them.
+inline auto all_of(std::vector<double>& values) {
+  return segment(values, 0, values.size());
+}
+inline auto all_of(const std::vector<double>& values) {
+  return segment(values, 0, values.size());
+}
+
+/// 1 for every mass that is free, 0 for pins, of inverse masses: for arithmetic without branches.
+inline auto free_masses(const std::vector<double>& inverse_mass) {
+  return (1e300 * all_of(inverse_mass)).min(1.0);
 }
 
 /// result = a + factor·b, vector by vector; all of one size. `result` may be `a` or `b`.
