@@ -126,9 +126,11 @@ double QuickSearch::reach_in_time() const {
   return std::min(affordable, duration_);
 }
 
-// Whole sixtieths, on which steps of 60 · 2^n per second end; at the end of the run that.
+// Whole sixtieths, on which steps of 60 · 2^n per second end; at the end of the run that. Many, where they
+// cost little: what two runs make of an impact differs most for a moment.
 std::vector<double> QuickSearch::instants(double until) const {
-  const std::size_t most = scene_.model.masses.size() > 20000 ? 8 : 16;
+  const std::size_t most =
+      std::clamp<std::size_t>(200000 / std::max<std::size_t>(1, scene_.model.masses.size()), 8, 64);
   if (until < duration_) until = std::min(duration_, std::max(1.0, std::floor(60.0 * until)) / 60.0);
   std::vector<double> times;
   for (std::size_t i = 1; i < most; ++i) {
@@ -161,7 +163,8 @@ ProbeLadder* QuickSearch::next() {
 }
 
 // What is estimated of a probe, at every instant from the largest up to then: its distance from the ladder's
-// next one, and from the finest run of other methods beyond what those are estimated to be off themselves.
+// next one, and from the finest run of other methods beyond what those are estimated to be off themselves,
+// which has nothing to do with what it is off: squares add up.
 std::vector<double> QuickSearch::errors_of(const ProbeLadder& ladder, const Probe& probe) const {
   std::vector<double> errors = probe.errors;
   for (const ProbeLadder& other : ladders_) {
@@ -172,16 +175,20 @@ std::vector<double> QuickSearch::errors_of(const ProbeLadder& ladder, const Prob
     double largest = 0.0;
     for (std::size_t i = 0; i < std::min(errors.size(), judge->errors.size()); ++i) {
       largest = std::max(largest, distance(scene_, probe.samples[i], judge->samples[i]));
-      if (judge->errors[i] <= wanted_) errors[i] = std::max(errors[i], largest - judge->errors[i]);
+      if (judge->errors[i] > wanted_) continue;
+      const double beyond = largest * largest - judge->errors[i] * judge->errors[i];
+      errors[i] = std::max(errors[i], std::sqrt(std::max(0.0, beyond)));
     }
   }
   return errors;
 }
 
-// Whether a ladder has a run that can speak for those of others to the end.
+// Whether a ladder has a run that can speak for those of others to the end. With steps that are longer than
+// what theory asks for, two runs may agree on the same wrong impact.
 bool QuickSearch::can_confirm(const ProbeLadder& ladder) const {
   const Probe* judge = ladder.finest_judged();
   return judge != nullptr && judge->errors.size() == scene_.times.size() &&
+         ladder.finest_rate() >= ladder.candidate().rule_rate &&
          judge->errors.back() <= within_target * wanted_;
 }
 

@@ -1,5 +1,5 @@
 // Plans by rule, of scenes whose truth is known: with the program, and drawn from a seed. TAUT_PLAN_TABLE=1
-// prints a line a scene.
+// prints a line a scene, TAUT_PLAN_SCENE=name takes that one alone.
 
 #include "measure/quick_plan.h"
 
@@ -101,6 +101,8 @@ std::vector<std::pair<std::string, Scene>> scenes_to_plan(bool all) {
     for (const std::string& name : scene_names()) scenes.emplace_back(name, scene_called(name));
   for (const GeneratedScene& drawn : generated_scenes(seed()))
     scenes.emplace_back(drawn.name, parse_scene(drawn.text, drawn.name + ".toml"));
+  if (const char* only = std::getenv("TAUT_PLAN_SCENE"))
+    std::erase_if(scenes, [only](const auto& scene) { return scene.first != only; });
   return scenes;
 }
 

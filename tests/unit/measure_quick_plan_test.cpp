@@ -5,6 +5,7 @@
 #include "base/failure.h"
 #include "measure/quick_plan.h"
 #include "measure/rounding.h"
+#include "methods/registry.h"
 #include "measure/time_scales.h"
 #include "methods/frequency.h"
 #include "model/measures.h"
