@@ -37,6 +37,7 @@
 #include "base/vector_operations.h"
 #include "contact/joint_resistance.h"
 #include "direct/active_limits.h"
+#include "direct/anderson_mixing.h"
 #include "direct/link_system.h"
 #include "direct/newton_rounds.h"
 #include "file_order_stepper.h"
@@ -49,7 +50,11 @@
 namespace taut {
 namespace {
 
-constexpr int most_rounds = 40;
+constexpr int most_rounds = 60;
+// Chord Newton that has not come so much closer in so many rounds has no solution near, as where a pushed row
+// buckles within the step: two halves are quicker.
+constexpr int rounds_to_gain = 12;
+constexpr double least_gain = 0.01;
 
 class RattleStepper final : public SwappingStepper {
  public:
@@ -139,12 +144,19 @@ class RattleStepper final : public SwappingStepper {
   bool solve_positions(const Vectors& start, StepReport& report) {
     const SystemLinks& links = system_.links;
     const double tolerance = length_tolerance(links, position_);
+    mixing_.begin();
+    double best = infinity, best_before = infinity;  // of these rounds, and of those before
     for (int round = 0; round < most_rounds; ++round) {
       link_vectors(links, position_, direction_);
       const double worst = measure_residual(report);
       if (report.status != StepStatus::done) return false;
       const double beyond = limits_.look(position_, &start);
       if (worst <= tolerance && beyond <= limit_tolerance) return true;
+      best = std::min(best, worst);
+      if (round % rounds_to_gain == 0) {
+        if (best > std::max(tolerance, least_gain * best_before)) break;
+        best_before = std::exchange(best, infinity);
+      }
       if (!solve_round(report)) {
         report.status = StepStatus::factorisation_failed;
         return false;
@@ -213,10 +225,12 @@ class RattleStepper final : public SwappingStepper {
     } else if (!factor_symmetric(start_direction_, report)) {
       return false;
     }
-    if (limits_.none())
-      system_.matrix->solve(residual_);
-    else
+    if (!limits_.none()) {
       limits_.push(system_, direction_, start_direction_, 1.0, residual_, position_);
+      return true;
+    }
+    system_.matrix->solve(residual_);
+    mixing_.mix(residual_);
     return true;
   }
 
@@ -280,6 +294,7 @@ class RattleStepper final : public SwappingStepper {
   JointResistance joints_;
   bool tension_of_velocities_;  // what stops and joints do is no part of the tension at acceleration level
   LinkSystem system_;
+  AndersonMixing mixing_;
   std::vector<double> no_compliance_;
   Vectors factored_along_;  // directions whose symmetric matrix a net's factor holds
   Vectors half_velocity_, acceleration_;

@@ -98,6 +98,9 @@ void expect_solves(const Model& model, LinkSystem& system, const Vectors& rows, 
   const Eigen::Map<const Eigen::VectorXd> found(solution.data(), static_cast<Eigen::Index>(solution.size()));
   const Eigen::VectorXd exact = dense.fullPivLu().solve(right);
   EXPECT_LT((found - exact).norm(), 1e-10 * exact.norm());
+  std::vector<double> at_once = wanted;
+  ASSERT_TRUE(system.matrix->factor_and_solve(rows, columns, diagonal, at_once));
+  EXPECT_EQ(at_once, solution) << "bit for bit";
 }
 
 class LinkMatrices : public ::testing::TestWithParam<Case> {
@@ -193,6 +196,12 @@ std::vector<std::pair<int, int>> grid_links(int rows, int columns, bool diagonal
   return links;
 }
 
+std::vector<std::pair<int, int>> row_links(int masses) {
+  std::vector<std::pair<int, int>> links;
+  for (int mass = 1; mass < masses; ++mass) links.emplace_back(mass - 1, mass);
+  return links;
+}
+
 std::vector<Case> cases() {
   const std::vector<std::pair<int, int>> row{{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 5}};
   const std::vector<std::pair<int, int>> mixed_ends{{3, 4}, {1, 0}, {2, 1}, {2, 3}, {5, 4}};
@@ -201,6 +210,7 @@ std::vector<Case> cases() {
       {"one_link", Shape::path, 2, {}, {{0, 1}}},
       {"free_path", Shape::path, 6, {}, row},
       {"hanging_path", Shape::path, 6, {0}, row},
+      {"long_path", Shape::path, 41, {0, 20}, row_links(41)},
       {"path_between_pins", Shape::path, 6, {0, 5}, row},
       {"path_out_of_order", Shape::path, 6, {5}, mixed_ends},
       {"two_paths_at_one_pin", Shape::path, 6, {2}, row},
@@ -213,6 +223,7 @@ std::vector<Case> cases() {
       {"tree_between_pins", Shape::net, 7, {0, 6}, branches},
       {"grid", Shape::net, 12, {0, 3}, grid_links(3, 4, false)},
       {"grid_with_diagonals", Shape::net, 12, {0}, grid_links(3, 4, true)},
+      {"large_grid", Shape::net, 81, {0, 8, 40}, grid_links(9, 9, true)},
   };
 }
 

@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/vector_operations.h"
 #include "direct/newton_rounds.h"
 
 namespace taut {
@@ -32,7 +33,7 @@ namespace {
 // A link whose stiffness, times h², is above so many times the inertia of its masses is hard.
 constexpr double hard_ratio = 300.0;
 // How much closer each round's linear solve comes.
-constexpr double linear_gain = 0.01;
+constexpr double linear_gain = 0.05;
 constexpr int most_iterations = 200;
 // Forces are in balance when what is left would move no mass by more than this share of the shortest link …
 constexpr double balance = 1e-6;
@@ -52,31 +53,32 @@ double stiffness(const Model& model, Index link, double h) {
 }
 
 double dot(const Vectors& a, const Vectors& b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a.x[i] * b.x[i] + a.y[i] * b.y[i] + a.z[i] * b.z[i];
-  return sum;
+  return (all_of(a.x) * all_of(b.x) + all_of(a.y) * all_of(b.y) + all_of(a.z) * all_of(b.z)).sum();
 }
 
 // a += factor·b
-void add(Vectors& a, double factor, const Vectors& b) {
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    a.x[i] += factor * b.x[i];
-    a.y[i] += factor * b.y[i];
-    a.z[i] += factor * b.z[i];
-  }
+void add(std::vector<double>& a, double factor, const std::vector<double>& b) {
+  all_of(a) += factor * all_of(b);
 }
 
-void add(std::vector<double>& a, double factor, const std::vector<double>& b) {
-  for (std::size_t i = 0; i < a.size(); ++i) a[i] += factor * b[i];
+void add(Vectors& a, double factor, const Vectors& b) {
+  for_each_axis([factor](auto& to, const auto& from) { add(to, factor, from); }, a, b);
 }
 
 // a ← b + factor·a
+void scale_and_add(std::vector<double>& a, double factor, const std::vector<double>& b) {
+  all_of(a) = all_of(b) + factor * all_of(a);
+}
+
 void scale_and_add(Vectors& a, double factor, const Vectors& b) {
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    a.x[i] = b.x[i] + factor * a.x[i];
-    a.y[i] = b.y[i] + factor * a.y[i];
-    a.z[i] = b.z[i] + factor * a.z[i];
-  }
+  for_each_axis([factor](auto& to, const auto& from) { scale_and_add(to, factor, from); }, a, b);
+}
+
+// result = weights·a, mass by mass
+void weigh(const std::vector<double>& weights, const Vectors& a, Vectors& result) {
+  result.resize(a.size());
+  for_each_axis([&weights](auto& to, const auto& from) { all_of(to) = all_of(weights) * all_of(from); },
+                result, a);
 }
 
 }  // namespace
@@ -99,9 +101,11 @@ ImplicitNet::ImplicitNet(const Model& model, const std::vector<Index>& whole, do
   for (const Index link : soft)
     for (const Index mass : {model.links.a[link], model.links.b[link]})
       if (!model.masses.pinned(mass)) inertia_[mass] += stiffness(model, link, h) / 3.0;
+  inverse_inertia_.assign(inertia_.size(), 0.0);  // pins do not move
+  for (const Index mass : free_) inverse_inertia_[mass] = 1.0 / inertia_[mass];
   Model heavier = model;
   heavier.masses.mass = inertia_;
-  for (const Index mass : free_) heavier.masses.inverse_mass[mass] = 1.0 / inertia_[mass];
+  heavier.masses.inverse_mass = inverse_inertia_;
   preconditioner_ = make_link_system(heavier, hard);
 
   hard_ = hard.size();
@@ -181,14 +185,10 @@ void ImplicitNet::measure(const Vectors& position, double h) {
     else
       length_error_[i] = stretch + links_.compliance[i] * (links_.damping[i] * rate - pull_[i] / (h * h));
   }
-  imbalance_ = position;
-  add(imbalance_, -1.0, inertial_);
-  for (std::size_t mass = 0; mass < mass_.size(); ++mass) {
-    imbalance_.x[mass] *= mass_[mass];
-    imbalance_.y[mass] *= mass_[mass];
-    imbalance_.z[mass] *= mass_[mass];
-  }
-  spread(direction_, pull_, imbalance_);
+  imbalance_.resize(position.size());
+  scaled_difference(1.0, position, inertial_, imbalance_);
+  weigh(mass_, imbalance_, imbalance_);
+  spread(direction_, 1.0, pull_, imbalance_);
 }
 
 // The largest |r|/l of a hard link.
@@ -278,7 +278,7 @@ std::int64_t ImplicitNet::solve_linear(bool seek_balance) {
     const double keep = next / gain;
     gain = next;
     scale_and_add(search_.mass, keep, step_.mass);
-    for (std::size_t i = 0; i < hard_; ++i) search_.links[i] = step_.links[i] + keep * search_.links[i];
+    scale_and_add(search_.links, keep, step_.links);
     ++iterations;
   }
   return iterations;
@@ -286,8 +286,7 @@ std::int64_t ImplicitNet::solve_linear(bool seek_balance) {
 
 // (B, J; J, −D) answer = (residual_, lengths).
 void ImplicitNet::precondition(const std::vector<double>& lengths, Pair& answer) {
-  answer.mass = residual_;
-  divide_by_inertia(answer.mass);
+  weigh(inverse_inertia_, residual_, answer.mass);
   answer.links = lengths;
   if (hard_ == 0) return;
   // (J B⁻¹ Jᵀ + D) Δλ = J B⁻¹ residual − lengths
@@ -296,21 +295,14 @@ void ImplicitNet::precondition(const std::vector<double>& lengths, Pair& answer)
     answer.links[i] = axis_.at(i).dot(between) - lengths[i];
   }
   preconditioner_.matrix->solve(answer.links);
-  answer.mass = residual_;
-  negated_ = answer.links;
-  for (double& value : negated_) value = -value;
-  spread(axis_, negated_, answer.mass);
-  divide_by_inertia(answer.mass);
+  force_ = residual_;
+  spread(axis_, -1.0, answer.links, force_);
+  weigh(inverse_inertia_, force_, answer.mass);
 }
 
 // force = H Δx + Jᵀ Δλ
 void ImplicitNet::multiply(const Pair& change, Vectors& force) const {
-  force = change.mass;
-  for (std::size_t i = 0; i < mass_.size(); ++i) {
-    force.x[i] *= mass_[i];
-    force.y[i] *= mass_[i];
-    force.z[i] *= mass_[i];
-  }
+  weigh(mass_, change.mass, force);
   for (std::size_t i = 0; i < links_.size(); ++i) {
     const Index a = links_.a[i], b = links_.b[i];
     const Vec3 n = axis_.at(i), moved = change.mass.at(a) - change.mass.at(b);
@@ -321,19 +313,14 @@ void ImplicitNet::multiply(const Pair& change, Vectors& force) const {
   }
 }
 
-// Adds each link's pull at both its ends, for as many links as there are pulls.
-void ImplicitNet::spread(const Vectors& direction, const std::vector<double>& pull, Vectors& force) const {
+// Adds each link's pull, times a factor, at both its ends, for as many links as there are pulls.
+void ImplicitNet::spread(const Vectors& direction, double factor, const std::vector<double>& pull,
+                         Vectors& force) const {
   for (std::size_t i = 0; i < pull.size(); ++i) {
-    const Vec3 on_a = direction.at(i) * pull[i];
+    const Vec3 on_a = direction.at(i) * (factor * pull[i]);
     force.add(links_.a[i], on_a);
     force.add(links_.b[i], -on_a);
   }
-}
-
-// Pins do not move.
-void ImplicitNet::divide_by_inertia(Vectors& force) const {
-  for (std::size_t i = 0; i < inertia_.size(); ++i)
-    force.set(i, inertia_[i] > 0.0 ? Vec3(force.at(i) / inertia_[i]) : Vec3::Zero());
 }
 
 double ImplicitNet::inertia_square(const Vectors& change) const {

@@ -39,19 +39,19 @@ class ImplicitNet {
   std::int64_t solve_linear(bool seek_balance);
   void precondition(const std::vector<double>& lengths, Pair& answer);
   void multiply(const Pair& change, Vectors& force) const;
-  void spread(const Vectors& direction, const std::vector<double>& pull, Vectors& force) const;
-  void divide_by_inertia(Vectors& force) const;
+  void spread(const Vectors& direction, double factor, const std::vector<double>& pull, Vectors& force) const;
   double inertia_square(const Vectors& change) const;
 
   const Model& model_;
-  SystemLinks links_;                   // hard ones in the order of their matrix, then soft ones
-  std::size_t hard_ = 0;                // how many of them are hard
-  LinkSystem preconditioner_;           // the hard links, between masses of inertia_
-  std::vector<Index> free_;             // masses that are not pinned
-  std::vector<double> inertia_;         // kg, one a mass: its own and that of its soft links; 0 for pins
-  std::vector<double> mass_;            // kg, one a mass, with drag's part
-  std::vector<double> inverse_length_;  // 1/m
-  double tolerance_ = 0.0;              // of length errors, relative
+  SystemLinks links_;                    // hard ones in the order of their matrix, then soft ones
+  std::size_t hard_ = 0;                 // how many of them are hard
+  LinkSystem preconditioner_;            // the hard links, between masses of inertia_
+  std::vector<Index> free_;              // masses that are not pinned
+  std::vector<double> inertia_;          // kg, one a mass: its own and that of its soft links; 0 for pins
+  std::vector<double> inverse_inertia_;  // 1/kg; 0 for pins
+  std::vector<double> mass_;             // kg, one a mass, with drag's part
+  std::vector<double> inverse_length_;   // 1/m
+  double tolerance_ = 0.0;               // of length errors, relative
 
   Vectors inertial_, start_vector_;
   // At the present round's positions, one a link: unit vector, length now, pull × h² (kg m).
@@ -65,8 +65,8 @@ class ImplicitNet {
   std::vector<double> push_;
   // Work space of its solution.
   Pair change_, step_, search_;
-  Vectors residual_, image_;
-  std::vector<double> length_residual_, negated_;
+  Vectors residual_, image_, force_;
+  std::vector<double> length_residual_;
 };
 
 }  // namespace taut

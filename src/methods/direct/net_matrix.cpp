@@ -1,17 +1,17 @@
-// Links in nets: sparse LDLᵀ (Eigen's SimplicialLDLT) of links in an order that fills little (approximate
-// minimum degree). The pattern is analysed once; each factorisation only fills in numbers, at places worked
-// out beforehand. On sheets it was as quick as CHOLMOD's simplicial factorisation and three times as quick as
-// its supernodal one with the BLAS that every Debian has; one that is tuned to the processor would make
+// Links in nets: sparse LDLᵀ of links in an order that fills little (approximate minimum degree). The pattern
+// is analysed once; each factorisation only fills in numbers, at places worked out beforehand. Tried on
+// sheets of rigid links: CHOLMOD's simplicial factorisation takes as long as Eigen's, and its supernodal one
+// three times as long with the BLAS that every Debian has; one that is tuned to the processor would make
 // results depend on it.
 
 #include <Eigen/OrderingMethods>
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <algorithm>
 #include <map>
 #include <utility>
 
 #include "direct/link_matrices.h"
+#include "direct/net_factor.h"
 
 namespace taut {
 namespace {
@@ -55,16 +55,10 @@ SparseMatrix pattern(std::size_t links, const std::vector<Pair>& pairs) {
   return matrix;
 }
 
-// In the order of the matrix, and of its upper triangle: then it is factorised where it is, without a copy.
-class Factor : public Eigen::SimplicialLDLT<SparseMatrix, Eigen::Upper, Eigen::NaturalOrdering<int>> {
- public:
-  const Eigen::VectorXd& pivots() const { return m_diag; }
-};
-
 class NetMatrix final : public LinkMatrix {
  public:
   NetMatrix(const SystemLinks& links, std::size_t mass_count)
-      : pairs_(shared_masses(links, mass_count)), matrix_(pattern(links.size(), pairs_)) {
+      : pairs_(shared_masses(links, mass_count)), matrix_(pattern(links.size(), pairs_)), factor_(matrix_) {
     diagonal_place_.resize(links.size());
     weight_.resize(links.size());
     for (std::size_t i = 0; i < links.size(); ++i) {
@@ -72,7 +66,6 @@ class NetMatrix final : public LinkMatrix {
       weight_[i] = links.weight_a[i] + links.weight_b[i];
     }
     for (Pair& pair : pairs_) pair.place = &matrix_.coeffRef(pair.row, pair.column);
-    solver_.analyzePattern(matrix_);
   }
 
   bool takes_unsymmetric() const override { return false; }
@@ -93,25 +86,19 @@ class NetMatrix final : public LinkMatrix {
     if (!std::isfinite(sum)) return false;
     // Redundant links make the matrix singular: then a tiny compliance in all of them, far below what the
     // tolerance on lengths can see, because residuals are not touched.
-    for (const double share : {0.0, 1e-10, 1e-8}) {
-      solver_.setShift(share * largest);
-      solver_.factorize(matrix_);
-      if (solver_.info() == Eigen::Success && solver_.pivots().minCoeff() > 1e-13 * largest) return true;
-    }
+    for (const double share : {0.0, 1e-10, 1e-8})
+      if (factor_.factor(matrix_, share * largest, 1e-13 * largest)) return true;
     return false;
   }
 
-  void solve(std::vector<double>& b) override {
-    Eigen::Map<Eigen::VectorXd> solution(b.data(), static_cast<Eigen::Index>(b.size()));
-    solver_._solve_impl(solution, solution);
-  }
+  void solve(std::vector<double>& b) override { factor_.solve(b); }
 
  private:
   std::vector<Pair> pairs_;
   SparseMatrix matrix_;  // upper triangle
   std::vector<double*> diagonal_place_;
   std::vector<double> weight_;
-  Factor solver_;
+  NetFactor factor_;
 };
 
 }  // namespace

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <vector>
+
+namespace taut {
+
+/// Sparse LDLᵀ of a symmetric matrix whose rows are in an order that fills little.
+class NetFactor {
+ public:
+  /// For matrices of the pattern of this one, given by their upper triangle in compressed form.
+  explicit NetFactor(const Eigen::SparseMatrix<double>& pattern);
+
+  /// Factorises the matrix plus `shift` on its diagonal. False where a pivot is not above `least_pivot`.
+  bool factor(const Eigen::SparseMatrix<double>& matrix, double shift, double least_pivot);
+  /// Solves in place.
+  void solve(std::vector<double>& b) const;
+
+  /// Neighbouring columns of L that have the same rows below them. Of each the values of the panel's own rows
+  /// come first, then those of the rows below.
+  struct Panel {
+    int first, width;
+    int rows_begin, rows;  ///< below, in row_
+  };
+
+ private:
+  void find_panels();
+  void place_entries(const Eigen::SparseMatrix<double>& pattern);
+  void update(const Panel& by, int from, int columns, const Panel& panel);
+  bool finish(const Panel& panel, double least_pivot);
+
+  std::vector<int> begin_, row_;  // L of unit diagonal by columns
+  std::vector<double> value_;
+  std::vector<double> pivot_;  // D
+  std::vector<Panel> panels_;
+  std::vector<int> panel_of_;  // of each column
+  std::vector<int> entry_;  // of each entry of the matrix, its place in value_; −1 − row on the diagonal
+  // While it is factorised: the panels that change a panel next, as lists; the first of their rows that has
+  // not done so yet; and where in the present panel a row is.
+  std::vector<int> first_, next_, reached_, local_;
+};
+
+}  // namespace taut
