@@ -24,6 +24,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/vector_operations.h"
 #include "contact/joint_resistance.h"
 #include "file_order_stepper.h"
 #include "forces/forces.h"
@@ -69,11 +70,9 @@ class ShakeStepper final : public SwappingStepper {
 
     difference_quotient(h, state.position, position_, velocity_);
     place_pins(model_, end_time, position_, velocity_);
-    kicks_.end(state, end_time, half, position_, kicked_, velocity_, tension_);
     const bool continued = as_last && !state.tension_before.empty();
-    if (continued)
-      for (const Index link : relaxation_.links())
-        tension_[link] = 2.0 * start_tension_[link] - state.tension_before[link];
+    if (continued) all_of(tension_) = 2.0 * all_of(start_tension_) - all_of(state.tension_before);
+    kicks_.end(state, end_time, half, position_, kicked_, velocity_, tension_);
     take_over(state, end_time, report);
     if (report.status != StepStatus::done) return report;
     joints_.keep(position_, state);  // where the step began

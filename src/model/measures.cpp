@@ -29,7 +29,7 @@ Strain link_strain(const Model& model, const State& state) {
   return strain;
 }
 
-Energy energy(const Model& model, const State& state) {
+Energy energy_of_masses(const Model& model, const State& state) {
   Energy energy;
   const auto mass = free_masses(model.masses.inverse_mass) * all_of(model.masses.mass);
   const Vectors &v = state.velocity, &x = state.position;
@@ -37,16 +37,23 @@ Energy energy(const Model& model, const State& state) {
   energy.potential = -(mass * (model.gravity.x() * all_of(x.x) + model.gravity.y() * all_of(x.y) +
                                model.gravity.z() * all_of(x.z)))
                           .sum();
-  for (std::size_t i = 0; i < model.links.size(); ++i) {
-    if (model.links.rigid(i) || state.broken(i)) continue;
-    const double stretch = link_distance(model, state.position, i) - model.links.length[i];
-    energy.elastic += 0.5 * model.links.stiffness[i] * stretch * stretch;
-  }
   for (const Limit& limit : model.limits) {
     if (limit.compliance == 0.0) continue;
     const double excess = std::max(overshoot(limit, limit_angle(limit, state.position)).size, 0.0);
     energy.elastic += 0.5 * excess * excess / limit.compliance;
   }
+  return energy;
+}
+
+double elastic_energy(const Model& model, const State& state, std::size_t link) {
+  if (model.links.rigid(link) || state.broken(link)) return 0.0;
+  const double stretch = link_distance(model, state.position, link) - model.links.length[link];
+  return 0.5 * model.links.stiffness[link] * stretch * stretch;
+}
+
+Energy energy(const Model& model, const State& state) {
+  Energy energy = energy_of_masses(model, state);
+  for (std::size_t i = 0; i < model.links.size(); ++i) energy.elastic += elastic_energy(model, state, i);
   return energy;
 }
 

@@ -12,21 +12,28 @@ constexpr double allowed = 0.1;  // of the scene's energies
 
 }  // namespace
 
-EnergyGuard::EnergyGuard(const Model& model, const State& start)
-    : model_(model), mass_(free_mass(model)), energy_at_start_(energy(model, start).total()) {
+EnergyGuard::EnergyGuard(const Model& model, const State& start) : model_(model), mass_(free_mass(model)) {
   double loads = 0.0;
   for (const Load& load : model.loads) loads += load.force.norm() * static_cast<double>(load.masses.size());
   scale_ = energy_scale(model, start) + loads * total_link_length(model);
   for (const Joint& joint : model.joints) scale_ += joint.friction;  // through a radian
   for (const Index link : solvable_links(model))
     if (!model.links.rigid(link)) springs_.push_back(link);
+  energy_at_start_ = energy_of(start);
+}
+
+// But for that of links between pins, which rigid links have no part in.
+double EnergyGuard::energy_of(const State& state) const {
+  double sum = energy_of_masses(model_, state).total();
+  for (const Index link : springs_) sum += elastic_energy(model_, state, link);
+  return sum;
 }
 
 bool EnergyGuard::exceeded(const State& state, double h, const Work& work) {
   const double scale = scale_ + mass_ * work.fastest_pin * work.fastest_pin + work.throughput;
   double most = allowed * scale;
   if (model_.wind) most = scale + mass_ * wind_at(*model_.wind, state.time).squaredNorm();
-  const double gain = energy(model_, state).total() - energy_at_start_ - work.expected_gain();
+  const double gain = energy_of(state) - energy_at_start_ - work.expected_gain();
   // Written so that what is not a number exceeds; the swing costs more and is asked for last.
   return !(gain <= most) && !(gain <= most + swing(state, h));
 }

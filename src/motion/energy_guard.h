@@ -31,6 +31,7 @@ class EnergyGuard {
   bool exceeded(const State& state, double h, const Work& work);
 
  private:
+  double energy_of(const State& state) const;
   double swing(const State& state, double h);
 
   const Model& model_;

@@ -5,9 +5,9 @@
 #include "base/failure.h"
 #include "measure/quick_plan.h"
 #include "measure/rounding.h"
-#include "methods/registry.h"
 #include "measure/time_scales.h"
 #include "methods/frequency.h"
+#include "methods/registry.h"
 #include "model/measures.h"
 #include "scenes_of_the_program.h"
 

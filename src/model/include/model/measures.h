@@ -24,6 +24,10 @@ struct Energy {
   double total() const { return kinetic + potential + elastic; }
 };
 Energy energy(const Model& model, const State& state);
+/// The same without what links hold.
+Energy energy_of_masses(const Model& model, const State& state);
+/// What a link holds (J); 0 when it is rigid or broken.
+double elastic_energy(const Model& model, const State& state, std::size_t link);
 
 /// The size that energy errors are measured in (J): kinetic and elastic energy at the start + weight × total
 /// link length, or where there are no links scene_size().
