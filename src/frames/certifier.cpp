@@ -94,10 +94,6 @@ class MethodRuns final : public Second {
   double own_error_ = 0.0;
 };
 
-bool visits_links(const std::string& method) {
-  return method == "euler" || method == "verlet" || method == "xpbd";
-}
-
 // A second run, and what it is.
 struct Chosen {
   std::unique_ptr<Second> second;
@@ -147,9 +143,10 @@ Chosen choose_second(const Scene& scene, const StopTest& stop) {
       std::max(least_patience, patience * predicted_seconds(scene.model, scene.settings, scene.duration));
   if (std::optional<Chosen> chosen = by_integration(scene, most_seconds, stop)) return *std::move(chosen);
   const std::string& first = scene.settings.method;
+  const Family family = find_method(first)->can.family;
   // Of order 2 the finer run is off by a third of what the two differ by, of order 1 by all of it.
   constexpr double order_1 = 1.0, order_2 = 1.0 / 3.0;
-  if (visits_links(first) || first == "newton" || first.starts_with("spring")) {
+  if (family != Family::stormer_verlet) {
     for (const std::string_view method : {"rattle", "shake"})
       if (auto chosen = by_method(scene, method, finer_of_order_2, order_2, most_seconds, ""))
         return *std::move(chosen);
@@ -157,7 +154,7 @@ Chosen choose_second(const Scene& scene, const StopTest& stop) {
   for (const std::string_view method : {"verlet", "xpbd"})
     if (method != first)
       if (auto chosen = by_method(scene, method, finer, order_1, most_seconds,
-                                  visits_links(first) ? ", which also visits links one by one" : ""))
+                                  family == Family::relaxation ? ", which also visits links one by one" : ""))
         return *std::move(chosen);
   if (auto chosen =
           by_method(scene, first, finer, order_1, infinity, ", of the same kind: no other can do this scene"))

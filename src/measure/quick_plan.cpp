@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/failure.h"
+#include "methods/registry.h"
 #include "probe_ladder.h"
 
 namespace taut {
@@ -22,14 +23,8 @@ double most_probing(const Model& model) {
   return small * std::clamp(static_cast<double>(model.links.size()) / many_links, 1.0, 2.0);
 }
 
-// Whether two methods are of one kind, so that what one gets wrong the other may, too: they visit links one
-// by one, or are the same where links are springs.
 bool alike(std::string_view a, std::string_view b) {
-  const auto kind = [](std::string_view method) {
-    if (method == "verlet") return std::string_view("xpbd");
-    return method == "rattle" || method == "spring-explicit" ? std::string_view("shake") : method;
-  };
-  return kind(a) == kind(b);
+  return find_method(a)->can.family == find_method(b)->can.family;
 }
 
 // One of a ladder's runs that there is an estimate of.

@@ -80,6 +80,7 @@ std::unique_ptr<Stepper> make_newton(const Model& model, const Settings& setting
 
 Method newton_method() {
   Capabilities can;
+  can.family = Family::implicit;
   can.takes_steps_back = true;
   can.keeps = {Keeping::kept, Keeping::lost_with_step, Keeping::lost_with_step};
   can.stiffness = true;

@@ -338,6 +338,7 @@ std::string rattle_refusal(const Model& model, const State& start, const Setting
 
 Method rattle_method() {
   Capabilities can;
+  can.family = Family::stormer_verlet;
   can.limit = StepLimit::sideways_vibration;
   can.takes_steps_back = true;
   can.stiffness = true;
@@ -350,7 +351,7 @@ Method rattle_method() {
           "Andersen, Rattle (1983); Yoshida (1990)",
           rattle_params,
           can,
-          {18.0, 11.0, 0.5},
+          {20.0, 5.0, 0.5},
           make_rattle,
           rattle_refusal};
 }

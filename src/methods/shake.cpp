@@ -184,6 +184,7 @@ std::string shake_refusal(const Model& model, const State& start, const Settings
 
 Method shake_method() {
   Capabilities can;
+  can.family = Family::stormer_verlet;
   can.half_kicked = true;
   can.takes_steps_back = true;
   can.limit = StepLimit::sideways_vibration;

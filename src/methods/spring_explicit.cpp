@@ -57,6 +57,7 @@ std::unique_ptr<Stepper> make_spring_explicit(const Model& model, const Settings
 
 Method spring_explicit_method() {
   Capabilities can;
+  can.family = Family::stormer_verlet;
   can.limit = StepLimit::spring_frequency;
   can.stiffness = true;
   can.rigid = false;

@@ -161,6 +161,7 @@ std::unique_ptr<Stepper> make_spring_implicit(const Model& model, const Settings
 
 Method spring_implicit_method() {
   Capabilities can;
+  can.family = Family::implicit;
   can.takes_steps_back = true;
   can.keeps = {Keeping::kept, Keeping::lost_with_step, Keeping::lost_with_step};
   can.stiffness = true;

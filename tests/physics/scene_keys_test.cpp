@@ -11,6 +11,7 @@
 #include "base/failure.h"
 #include "fixtures.h"
 #include "scene/scene.h"
+#include "scene_key_bodies.h"
 #include "scene_key_cases.h"
 #include "scene_key_scenes.h"
 
@@ -43,7 +44,8 @@ std::vector<std::string> physics_keys() {
 
 std::string text_for(const KeyCase& each, const Method& method) {
   const std::string links = method.can.rigid ? "" : "stiffness = 2000.0";
-  return std::regex_replace(key_scenes.at(each.scene), std::regex("LINKS"), links);
+  const auto& scenes = key_bodies.contains(each.scene) ? key_bodies : key_scenes;
+  return std::regex_replace(scenes.at(each.scene), std::regex("LINKS"), links);
 }
 
 // The hash of the state after a short run; none where the method refuses the scene.

@@ -27,6 +27,13 @@ struct Param {
   std::string_view follows = {};  ///< left out, it takes the value given to this one, where there is one
 };
 
+/// Methods that go about links alike: what one gets wrong the others may, too.
+enum class Family {
+  relaxation,      ///< links one by one, as positions
+  stormer_verlet,  ///< forces at the ends of a step, and rigid links at their lengths
+  implicit,        ///< all links together at the end of a step
+};
+
 /// What theory says about a method's longest step, or about how it fails whatever the step.
 enum class StepLimit {
   none,                ///< no limit
@@ -69,6 +76,7 @@ struct Capabilities {
   /// step made energy out of nothing. A step can be taken back.
   bool takes_steps_back = false;
   Conservation keeps;
+  Family family = Family::relaxation;
   StepLimit limit = StepLimit::none;
   Interpolation between_steps = Interpolation::hermite;  ///< how a frame between two steps is to be found
 };
