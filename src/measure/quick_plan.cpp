@@ -8,6 +8,7 @@
 
 #include "base/failure.h"
 #include "methods/registry.h"
+#include "model/measures.h"
 #include "probe_ladder.h"
 
 namespace taut {

@@ -9,6 +9,8 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <array>
+#include <limits>
+#include <span>
 #include <utility>
 
 namespace taut {
@@ -17,55 +19,56 @@ namespace {
 using SparseMatrix = Eigen::SparseMatrix<double>;
 using Panel = NetFactor::Panel;
 
-constexpr int most_columns = 4;  // of a panel
+constexpr std::size_t most_columns = 4;  // of a panel
+constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
 // L with ones on the diagonal, as compressed columns.
 struct Lower {
-  const int* begin;  // of each column
-  const int* row;
+  const std::size_t* begin;  // of each column
+  const Index* row;
   const double* value;
 };
 
-template <int width>
+template <std::size_t width>
 struct PanelColumns {
   PanelColumns(const Lower& lower, const Panel& panel) : row(lower.row + panel.rows_begin) {
-    for (int c = 0; c < width; ++c) {
+    for (std::size_t c = 0; c < width; ++c) {
       own[c] = lower.value + lower.begin[panel.first + c];
       below[c] = own[c] + (width - 1 - c);
     }
   }
-  const int* row;
+  const Index* row;
   std::array<const double*, width> own, below;
 };
 
 // b −= L x, with x the panel's part of the solution of L x = b.
-template <int width>
+template <std::size_t width>
 void eliminate(const Lower& lower, const Panel& panel, double* b) {
   const PanelColumns<width> columns(lower, panel);
   std::array<double, width> x;
-  for (int c = 0; c < width; ++c) {
+  for (std::size_t c = 0; c < width; ++c) {
     x[c] = b[panel.first + c];
-    for (int d = 0; d < c; ++d) x[c] -= columns.own[d][c - d - 1] * x[d];
+    for (std::size_t d = 0; d < c; ++d) x[c] -= columns.own[d][c - d - 1] * x[d];
     b[panel.first + c] = x[c];
   }
-  for (int i = 0; i < panel.rows; ++i) {
+  for (std::size_t i = 0; i < panel.rows; ++i) {
     double sum = 0.0;
-    for (int c = 0; c < width; ++c) sum += columns.below[c][i] * x[c];
+    for (std::size_t c = 0; c < width; ++c) sum += columns.below[c][i] * x[c];
     b[columns.row[i]] -= sum;
   }
 }
 
 // The panel's part of the solution of Lᵀ x = b, in place.
-template <int width>
+template <std::size_t width>
 void substitute_back(const Lower& lower, const Panel& panel, double* b) {
   const PanelColumns<width> columns(lower, panel);
   std::array<double, width> sum{};
-  for (int i = 0; i < panel.rows; ++i) {
+  for (std::size_t i = 0; i < panel.rows; ++i) {
     const double x = b[columns.row[i]];
-    for (int c = 0; c < width; ++c) sum[c] += columns.below[c][i] * x;
+    for (std::size_t c = 0; c < width; ++c) sum[c] += columns.below[c][i] * x;
   }
-  for (int c = width - 1; c >= 0; --c) {
-    for (int d = c + 1; d < width; ++d) sum[c] += columns.own[c][d - c - 1] * b[panel.first + d];
+  for (std::size_t c = width; c-- > 0;) {
+    for (std::size_t d = c + 1; d < width; ++d) sum[c] += columns.own[c][d - c - 1] * b[panel.first + d];
     b[panel.first + c] -= sum[c];
   }
 }
@@ -73,40 +76,40 @@ void substitute_back(const Lower& lower, const Panel& panel, double* b) {
 // What one panel takes from some columns of a later one. `to` holds those columns such that local row r is
 // at to[c][r].
 struct Update {
-  const int* row;                                 // of the earlier panel, below it
-  int from, end;                                  // of its rows
+  const Index* row;                               // of the earlier panel, below it
+  std::size_t from, end;                          // of its rows
   std::array<const double*, most_columns> below;  // its columns
   std::array<double, most_columns> pivot;
   std::array<double*, most_columns> to;
-  std::array<int, most_columns> to_row;  // local row of each column's diagonal
-  double* to_pivot;                      // of the later panel
-  const int* local;
+  std::array<std::size_t, most_columns> to_row;  // local row of each column's diagonal
+  double* to_pivot;                              // of the later panel
+  const std::size_t* local;
 };
 
-template <int width, int columns>
+template <std::size_t width, std::size_t columns>
 void subtract(const Update& update) {
   std::array<std::array<double, width>, columns> factor;
-  for (int c = 0; c < columns; ++c)
-    for (int k = 0; k < width; ++k) factor[c][k] = update.below[k][update.from + c] * update.pivot[k];
-  const auto product = [&](int i, int c) {
+  for (std::size_t c = 0; c < columns; ++c)
+    for (std::size_t k = 0; k < width; ++k) factor[c][k] = update.below[k][update.from + c] * update.pivot[k];
+  const auto product = [&](std::size_t i, std::size_t c) {
     double sum = 0.0;
-    for (int k = 0; k < width; ++k) sum += update.below[k][i] * factor[c][k];
+    for (std::size_t k = 0; k < width; ++k) sum += update.below[k][i] * factor[c][k];
     return sum;
   };
   // The first rows are those of the columns themselves.
-  for (int r = 0; r < columns; ++r) {
-    for (int c = 0; c < r; ++c) update.to[c][update.to_row[r]] -= product(update.from + r, c);
+  for (std::size_t r = 0; r < columns; ++r) {
+    for (std::size_t c = 0; c < r; ++c) update.to[c][update.to_row[r]] -= product(update.from + r, c);
     update.to_pivot[update.to_row[r]] -= product(update.from + r, r);
   }
-  for (int i = update.from + columns; i < update.end; ++i) {
-    const int r = update.local[update.row[i]];
-    for (int c = 0; c < columns; ++c) update.to[c][r] -= product(i, c);
+  for (std::size_t i = update.from + columns; i < update.end; ++i) {
+    const std::size_t r = update.local[update.row[i]];
+    for (std::size_t c = 0; c < columns; ++c) update.to[c][r] -= product(i, c);
   }
 }
 
 template <class Table>
-const auto& of(const Table& table, int count) {
-  return table[static_cast<std::size_t>(count - 1)];
+const auto& of(const Table& table, std::size_t count) {
+  return table[count - 1];
 }
 
 using OnPanel = void (*)(const Lower&, const Panel&, double*);
@@ -116,7 +119,7 @@ constexpr std::array<OnPanel, most_columns> back_substitutes{substitute_back<1>,
                                                              substitute_back<3>, substitute_back<4>};
 
 using Subtract = void (*)(const Update&);
-template <int width>
+template <std::size_t width>
 constexpr std::array<Subtract, most_columns> subtracts_of{subtract<width, 1>, subtract<width, 2>,
                                                           subtract<width, 3>, subtract<width, 4>};
 constexpr std::array subtracts{subtracts_of<1>, subtracts_of<2>, subtracts_of<3>, subtracts_of<4>};
@@ -143,39 +146,38 @@ NetFactor::NetFactor(const SparseMatrix& pattern) {
 }
 
 void NetFactor::find_panels() {
-  const auto column_of = [&](int column) {
-    return std::pair(row_.begin() + begin_[static_cast<std::size_t>(column)],
-                     row_.begin() + begin_[static_cast<std::size_t>(column) + 1]);
+  const auto rows_of = [&](std::size_t column) {
+    return std::span(row_).subspan(begin_[column], begin_[column + 1] - begin_[column]);
   };
-  const auto continues = [&](int column) {  // the column before, but for its first row
-    const auto [before, before_end] = column_of(column - 1);
-    const auto [rows, end] = column_of(column);
-    return before != before_end && *before == column && std::equal(before + 1, before_end, rows, end);
+  const auto continues = [&](std::size_t column) {  // the column before, but for its first row
+    const std::span<const Index> before = rows_of(column - 1);
+    return !before.empty() && before.front() == column &&
+           std::ranges::equal(before.subspan(1), rows_of(column));
   };
-  for (int column = 0; column < std::ssize(pivot_); ++column) {
+  for (std::size_t column = 0; column < pivot_.size(); ++column) {
     if (!panels_.empty() && panels_.back().width < most_columns && continues(column))
       ++panels_.back().width;
     else
       panels_.push_back({column, 1, 0, 0});
-    panel_of_.push_back(static_cast<int>(panels_.size()) - 1);
+    panel_of_.push_back(panels_.size() - 1);
   }
   for (Panel& panel : panels_) {
-    const auto last = static_cast<std::size_t>(panel.first + panel.width - 1);
+    const std::size_t last = panel.first + panel.width - 1;
     panel.rows_begin = begin_[last];
     panel.rows = begin_[last + 1] - begin_[last];
   }
 }
 
 void NetFactor::place_entries(const SparseMatrix& pattern) {
-  for (int column = 0; column < pattern.outerSize(); ++column)
-    for (SparseMatrix::InnerIterator entry(pattern, column); entry; ++entry) {
-      const auto row = static_cast<std::size_t>(entry.row());
-      if (entry.row() == column) {
-        entry_.push_back(-1 - column);
-        continue;
-      }
-      const auto place = std::lower_bound(row_.begin() + begin_[row], row_.begin() + begin_[row + 1], column);
-      entry_.push_back(static_cast<int>(place - row_.begin()));
+  for (int outer = 0; outer < pattern.outerSize(); ++outer)
+    for (SparseMatrix::InnerIterator entry(pattern, outer); entry; ++entry) {
+      const auto row = static_cast<std::size_t>(entry.row()), column = static_cast<std::size_t>(outer);
+      // The upper triangle's row is L's column.
+      const Index* const begin = row_.data() + begin_[row];
+      const Index* const end = row_.data() + begin_[row + 1];
+      entry_.push_back(row == column
+                           ? value_.size() + column
+                           : static_cast<std::size_t>(std::lower_bound(begin, end, column) - row_.data()));
     }
 }
 
@@ -183,76 +185,72 @@ bool NetFactor::factor(const SparseMatrix& matrix, double shift, double least_pi
   std::fill(value_.begin(), value_.end(), 0.0);
   std::fill(pivot_.begin(), pivot_.end(), shift);
   for (std::size_t i = 0; i < entry_.size(); ++i) {
-    const int place = entry_[i];
-    (place < 0 ? pivot_[static_cast<std::size_t>(-1 - place)] : value_[static_cast<std::size_t>(place)]) +=
-        matrix.valuePtr()[i];
+    const std::size_t place = entry_[i];
+    (place < value_.size() ? value_[place] : pivot_[place - value_.size()]) += matrix.valuePtr()[i];
   }
-  std::fill(first_.begin(), first_.end(), -1);
-  const auto reach = [&](int by, int from) {  // the panel of its row `from`, next
-    const Panel& panel = panels_[static_cast<std::size_t>(by)];
-    reached_[static_cast<std::size_t>(by)] = from;
-    if (from == panel.rows) return;
-    const int row = row_[static_cast<std::size_t>(panel.rows_begin + from)];
-    int& first = first_[static_cast<std::size_t>(panel_of_[static_cast<std::size_t>(row)])];
-    next_[static_cast<std::size_t>(by)] = std::exchange(first, by);
+  std::fill(first_.begin(), first_.end(), none);
+  const auto reach = [&](std::size_t by, std::size_t from) {  // the panel of its row `from`, next
+    reached_[by] = from;
+    if (from == panels_[by].rows) return;
+    const Index row = row_[panels_[by].rows_begin + from];
+    next_[by] = std::exchange(first_[panel_of_[row]], by);
   };
   for (std::size_t number = 0; number < panels_.size(); ++number) {
     const Panel& panel = panels_[number];
-    for (int c = 0; c < panel.width; ++c) local_[static_cast<std::size_t>(panel.first + c)] = c;
-    for (int i = 0; i < panel.rows; ++i)
-      local_[static_cast<std::size_t>(row_[static_cast<std::size_t>(panel.rows_begin + i)])] =
-          panel.width + i;
-    for (int by = first_[number], next = -1; by >= 0; by = next) {
-      next = next_[static_cast<std::size_t>(by)];
-      const Panel& earlier = panels_[static_cast<std::size_t>(by)];
-      const int from = reached_[static_cast<std::size_t>(by)];
-      const int* rows = row_.data() + earlier.rows_begin;
-      const auto columns = static_cast<int>(
-          std::lower_bound(rows + from, rows + earlier.rows, panel.first + panel.width) - (rows + from));
-      update(earlier, from, columns, panel);
+    for (std::size_t c = 0; c < panel.width; ++c) local_[panel.first + c] = c;
+    for (std::size_t i = 0; i < panel.rows; ++i) local_[row_[panel.rows_begin + i]] = panel.width + i;
+    for (std::size_t by = first_[number], next = none; by != none; by = next) {
+      next = next_[by];
+      const std::size_t from = reached_[by];
+      const Index* const rows = row_.data() + panels_[by].rows_begin;
+      const Index* const beyond =
+          std::lower_bound(rows + from, rows + panels_[by].rows, panel.first + panel.width);
+      const auto columns = static_cast<std::size_t>(beyond - (rows + from));
+      update(panels_[by], from, columns, panel);
       reach(by, from + columns);
     }
     if (!finish(panel, least_pivot)) return false;
-    reach(static_cast<int>(number), 0);
+    reach(number, 0);
   }
   return true;
 }
 
-void NetFactor::update(const Panel& by, int from, int columns, const Panel& panel) {
+void NetFactor::update(const Panel& by, std::size_t from, std::size_t columns, const Panel& panel) {
   Update update{row_.data() + by.rows_begin, from,         by.rows, {}, {}, {}, {},
                 pivot_.data() + panel.first, local_.data()};
-  for (int k = 0; k < by.width; ++k) {
-    const auto column = static_cast<std::size_t>(by.first + k), place = static_cast<std::size_t>(k);
-    update.below[place] = value_.data() + begin_[column] + (by.width - 1 - k);
-    update.pivot[place] = pivot_[column];
+  for (std::size_t k = 0; k < by.width; ++k) {
+    update.below[k] = value_.data() + begin_[by.first + k] + (by.width - 1 - k);
+    update.pivot[k] = pivot_[by.first + k];
   }
-  for (int c = 0; c < columns; ++c) {
-    const auto place = static_cast<std::size_t>(c);
-    const int row = update.row[from + c] - panel.first;
-    update.to_row[place] = row;
-    update.to[place] = value_.data() + begin_[static_cast<std::size_t>(panel.first + row)] - (row + 1);
+  for (std::size_t c = 0; c < columns; ++c) {
+    const std::size_t row = update.row[from + c] - panel.first;
+    update.to_row[c] = row;
+    update.to[c] = column_of(panel, row);
   }
   of(of(subtracts, by.width), columns)(update);
 }
 
+// The values of one of a panel's columns such that local row r is at [r], below its diagonal.
+double* NetFactor::column_of(const Panel& panel, std::size_t column) {
+  return value_.data() + static_cast<std::ptrdiff_t>(begin_[panel.first + column]) -
+         static_cast<std::ptrdiff_t>(column + 1);
+}
+
 // Within the panel, once no earlier one takes from it.
 bool NetFactor::finish(const Panel& panel, double least_pivot) {
-  std::array<double*, most_columns> column;  // local row r at column[c][r]
-  for (int c = 0; c < panel.width; ++c)
-    column[static_cast<std::size_t>(c)] =
-        value_.data() + begin_[static_cast<std::size_t>(panel.first + c)] - (c + 1);
-  for (int c = 0; c < panel.width; ++c) {
-    const double pivot = pivot_[static_cast<std::size_t>(panel.first + c)];
+  for (std::size_t c = 0; c < panel.width; ++c) {
+    const double pivot = pivot_[panel.first + c];
     if (!(pivot > least_pivot)) return false;
     const double inverse = 1.0 / pivot;
-    double* const present = column[static_cast<std::size_t>(c)];
-    for (int later = c + 1; later < panel.width; ++later) {
+    double* const present = column_of(panel, c);
+    const std::size_t end = panel.width + panel.rows;
+    for (std::size_t later = c + 1; later < panel.width; ++later) {
       const double factor = present[later] * inverse;
-      pivot_[static_cast<std::size_t>(panel.first + later)] -= factor * present[later];
-      double* const to = column[static_cast<std::size_t>(later)];
-      for (int r = later + 1; r < panel.width + panel.rows; ++r) to[r] -= factor * present[r];
+      pivot_[panel.first + later] -= factor * present[later];
+      double* const to = column_of(panel, later);
+      for (std::size_t r = later + 1; r < end; ++r) to[r] -= factor * present[r];
     }
-    for (int r = c + 1; r < panel.width + panel.rows; ++r) present[r] *= inverse;
+    for (std::size_t r = c + 1; r < end; ++r) present[r] *= inverse;
   }
   return true;
 }

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <Eigen/SparseCore>
+#include <cstddef>
 #include <vector>
+
+#include "base/vectors.h"
 
 namespace taut {
 
@@ -19,25 +22,29 @@ class NetFactor {
   /// Neighbouring columns of L that have the same rows below them. Of each the values of the panel's own rows
   /// come first, then those of the rows below.
   struct Panel {
-    int first, width;
-    int rows_begin, rows;  ///< below, in row_
+    std::size_t first, width;
+    std::size_t rows_begin, rows;  ///< below, in row_
   };
 
  private:
   void find_panels();
   void place_entries(const Eigen::SparseMatrix<double>& pattern);
-  void update(const Panel& by, int from, int columns, const Panel& panel);
+  void update(const Panel& by, std::size_t from, std::size_t columns, const Panel& panel);
+  double* column_of(const Panel& panel, std::size_t column);
   bool finish(const Panel& panel, double least_pivot);
 
-  std::vector<int> begin_, row_;  // L of unit diagonal by columns
+  // L of unit diagonal by columns: where each begins, and the rows and values of its entries.
+  std::vector<std::size_t> begin_;
+  std::vector<Index> row_;
   std::vector<double> value_;
   std::vector<double> pivot_;  // D
   std::vector<Panel> panels_;
-  std::vector<int> panel_of_;  // of each column
-  std::vector<int> entry_;  // of each entry of the matrix, its place in value_; −1 − row on the diagonal
+  std::vector<std::size_t> panel_of_;  // of each column
+  std::vector<std::size_t>
+      entry_;  // of each entry of the matrix, its place in value_, or behind it in pivot_
   // While it is factorised: the panels that change a panel next, as lists; the first of their rows that has
   // not done so yet; and where in the present panel a row is.
-  std::vector<int> first_, next_, reached_, local_;
+  std::vector<std::size_t> first_, next_, reached_, local_;
 };
 
 }  // namespace taut
