@@ -129,9 +129,9 @@ constexpr std::array subtracts{subtracts_of<1>, subtracts_of<2>, subtracts_of<3>
 NetFactor::NetFactor(const SparseMatrix& pattern) {
   // Of any matrix of the pattern whose pivots can't vanish.
   SparseMatrix dominant = pattern;
-  for (int column = 0; column < dominant.outerSize(); ++column)
-    for (SparseMatrix::InnerIterator entry(dominant, column); entry; ++entry)
-      entry.valueRef() = entry.row() == column ? static_cast<double>(dominant.cols()) : 0.5;
+  std::fill(dominant.valuePtr(), dominant.valuePtr() + dominant.nonZeros(), 0.5);
+  for (Eigen::Index i = 0; i < dominant.cols(); ++i)
+    dominant.coeffRef(i, i) = static_cast<double>(dominant.cols());
   const Eigen::SimplicialLDLT<SparseMatrix, Eigen::Upper, Eigen::NaturalOrdering<int>> solver(dominant);
   const SparseMatrix& lower = solver.matrixL().nestedExpression();
   const auto size = static_cast<std::size_t>(lower.cols());
