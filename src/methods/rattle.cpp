@@ -87,11 +87,10 @@ class RattleStepper final : public SwappingStepper {
   StepReport make_step(State& state, double h, double end_time) override {
     begin_work(state);
     StepReport report;
-    if (order_ == 2) {
+    if (order_ == 2)
       sub_step(state, state.time, h, end_time, state.position, state.velocity, report);
-    } else {
+    else
       compose(state, h, end_time, report);
-    }
     if (report.status != StepStatus::done) return report;
     if (!tension_of_velocities_) solve_tensions(state, end_time, report);
     take_over(state, end_time, report);
@@ -179,9 +178,12 @@ class RattleStepper final : public SwappingStepper {
     measure_residual(report);
     if (report.status != StepStatus::done) return false;
     report.status = StepStatus::not_converged;
-    if (links.size() > 0) report.worst_link = links.link[worst_place(report.status)];
+    if (links.size() > 0) report.worst_link = worst_link(report.status);
     return false;
   }
+
+  // |g|/l² of every link.
+  auto length_errors() const { return (all_of(residual_) * all_of(inverse_square_)).abs(); }
 
   // g of every link; returns the largest |g|/l². Reports a link that has lost its direction, or a number that
   // is no longer finite.
@@ -194,7 +196,7 @@ class RattleStepper final : public SwappingStepper {
     all_of(along_) =
         (x * all_of(start_direction_.x) + y * all_of(start_direction_.y) + z * all_of(start_direction_.z)) *
         all_of(inverse_square_);
-    const double worst = (all_of(residual_) * all_of(inverse_square_)).abs().maxCoeff<Eigen::PropagateNaN>();
+    const double worst = length_errors().maxCoeff<Eigen::PropagateNaN>();
     const double lost = all_of(along_).minCoeff<Eigen::PropagateNaN>();
     if (!std::isfinite(worst)) {
       report.status = StepStatus::not_finite;
@@ -203,88 +205,62 @@ class RattleStepper final : public SwappingStepper {
     } else {
       return worst;
     }
-    report.worst_link = links.link[worst_place(report.status)];
+    report.worst_link = worst_link(report.status);
     return worst;
   }
 
-  // The first link with the least share of its direction, or the largest error; or that is not finite.
-  std::size_t worst_place(StepStatus what) const {
-    std::size_t place = 0;
-    double most = -infinity;
-    for (std::size_t i = 0; i < residual_.size(); ++i) {
-      const double size =
-          what == StepStatus::direction_lost ? -along_[i] : std::abs(residual_[i]) * inverse_square_[i];
-      if (size <= most) continue;
-      place = i;
-      most = size;
-      if (std::isnan(size)) break;
-    }
-    return place;
+  // The link with the least share of its direction left, or the largest error; one that is not finite.
+  Index worst_link(StepStatus what) const {
+    Eigen::Index place = 0;
+    if (what == StepStatus::direction_lost)
+      all_of(along_).minCoeff<Eigen::PropagateNaN>(&place);
+    else
+      length_errors().maxCoeff<Eigen::PropagateNaN>(&place);
+    return system_.links.link[static_cast<std::size_t>(place)];
   }
 
   // A round's change of the multipliers, in place of the residual.
   bool solve_round(StepReport& report) {
-    const bool unsymmetric = system_.matrix->takes_unsymmetric();
-    if (unsymmetric && limits_.none()) {
-      ++report.factorisations;
-      return system_.matrix->factor_and_solve(direction_, start_direction_, no_compliance_, residual_);
-    }
-    if (unsymmetric) {
-      ++report.factorisations;
-      if (!system_.matrix->factor(direction_, start_direction_, no_compliance_)) return false;
-    } else if (!factor_symmetric(start_direction_, report)) {
-      return false;
-    }
-    if (!limits_.none()) {
+    if (!factor_and_solve(start_direction_, report)) return false;
+    if (!limits_.none())
       limits_.push(system_, direction_, start_direction_, 1.0, residual_, position_);
-      return true;
-    }
-    system_.matrix->solve(residual_);
-    mixing_.mix(residual_);
+    else if (!system_.matrix->takes_unsymmetric())
+      mixing_.mix(residual_);
     return true;
   }
 
-  // Factorises J W Jᵀ of a net unless that is what its matrix already holds.
-  bool factor_symmetric(const Vectors& along, StepReport& report) {
-    if (factored_along_ == along) return true;
+  // Factorises J W Cᵀ, or for a net C W Cᵀ unless its matrix already holds that, and solves for the residual;
+  // but where limits border the system that is left to them.
+  bool factor_and_solve(const Vectors& columns, StepReport& report) {
+    LinkMatrix& matrix = *system_.matrix;
+    const bool net = !matrix.takes_unsymmetric();
+    if (net && factored_along_ == columns) {
+      if (limits_.none()) matrix.solve(residual_);
+      return true;
+    }
     ++report.factorisations;
     factored_along_.resize(0);
-    if (!system_.matrix->factor(along, along, no_compliance_)) return false;
-    factored_along_ = along;
-    return true;
+    const Vectors& rows = net ? columns : direction_;
+    const bool factored = limits_.none() ? matrix.factor_and_solve(rows, columns, no_compliance_, residual_)
+                                         : matrix.factor(rows, columns, no_compliance_);
+    if (factored && net) factored_along_ = columns;
+    return factored;
   }
 
   // Along direction_, which solve_positions() has left as that of the end of the step.
   void solve_velocities(double half, StepReport& report) {
     const SystemLinks& links = system_.links;
     along_links(links, direction_, velocity_, residual_);
-    if (!answer_velocities(report)) {
+    if (!factor_and_solve(direction_, report)) {
       report.status = StepStatus::factorisation_failed;
       return;
     }
+    if (!limits_.none()) limits_.stop(system_, direction_, position_, residual_, velocity_);
     report.link_solves += static_cast<std::int64_t>(links.size());
     if (tension_of_velocities_)
       for (std::size_t i = 0; i < links.size(); ++i)
         tension_[links.link[i]] = residual_[i] * links.length[i] * (1.0 + half * model_.drag) / half;
     apply_impulses(links, direction_, residual_, velocity_, -1.0);
-  }
-
-  bool answer_velocities(StepReport& report) {
-    if (system_.matrix->takes_unsymmetric() && limits_.none()) {
-      ++report.factorisations;
-      return system_.matrix->factor_and_solve(direction_, direction_, no_compliance_, residual_);
-    }
-    if (system_.matrix->takes_unsymmetric()) {
-      ++report.factorisations;
-      if (!system_.matrix->factor(direction_, direction_, no_compliance_)) return false;
-    } else if (!factor_symmetric(direction_, report)) {
-      return false;
-    }
-    if (limits_.none())
-      system_.matrix->solve(residual_);
-    else
-      limits_.stop(system_, direction_, position_, residual_, velocity_);
-    return true;
   }
 
   // With the matrix of the velocities, which the system still holds.

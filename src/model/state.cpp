@@ -2,16 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "base/hash.h"
+#include "base/vector_operations.h"
 
 namespace taut {
 namespace {
 
 bool all_finite(const std::vector<double>& values) {
   // Any NaN or infinity turns the sum of v·0 into NaN; one pass without branches.
-  return (0.0 * Eigen::Map<const Eigen::ArrayXd>(values.data(), std::ssize(values))).sum() == 0.0;
+  return (0.0 * all_of(values)).sum() == 0.0;
 }
 
 }  // namespace

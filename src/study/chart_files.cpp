@@ -178,8 +178,9 @@ std::vector<std::string> notes_of(const Chart& chart, ErrorKind kind) {
 ChartFigure figure_of(const Chart& chart, ErrorKind kind, Cost cost) {
   ChartFigure figure;
   figure.title = chart.title;
-  figure.subtitle = fmt::format("{} links, {:.4g} s: {}", chart.links, chart.truth.horizon(),
-                                cost == Cost::seconds ? "time against accuracy" : "work against accuracy");
+  figure.subtitle =
+      fmt::format("{} link{}, {:.4g} s: {}", chart.links, chart.links == 1 ? "" : "s", chart.truth.horizon(),
+                  cost == Cost::seconds ? "time against accuracy" : "work against accuracy");
   figure.x_label = error_label(chart, kind);
   figure.y_label = cost == Cost::seconds ? "processor time (s)" : "link solves";
   for (std::size_t curve = 0; curve < chart.curves.size(); ++curve)

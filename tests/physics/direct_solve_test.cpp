@@ -186,6 +186,20 @@ TEST(Rattle, RefusesSpringsTooStiffForTheStep) {
   }
 }
 
+// The third part of a step of order 4 ends when the step does, not where the sum of its parts comes to.
+TEST(Rattle, OfOrderFourHasDrivenPinsWhereTheStepEnds) {
+  Description description = level_chain(4, 0.1);
+  description.chains[0].first_motion.sinusoid = SinusoidSpec{{0.0, 0.1, 0.0}, 12.0, 0.3};
+  const Built built = build_valid(description);
+  Settings how = settings("rattle", 700.0);
+  how.values["order"] = std::string("4");
+  taut::Run run(built.model, built.start, how);
+  const DrivenPin& pin = built.model.driven_pins.at(0);
+  while (run.steps() < 200 && run.step())
+    EXPECT_EQ(run.state().position.at(pin.mass), position_at(pin.motion, run.state().time)) << run.steps();
+  EXPECT_EQ(run.failure(), "");
+}
+
 // A step that can't be solved leaves the state as it was and names the link.
 TEST(Guard, FailureKeepsTheStateAndNamesTheLink) {
   Description description = level_chain(4, 0.1);

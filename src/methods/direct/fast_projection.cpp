@@ -15,12 +15,11 @@
 
 #include "direct/fast_projection.h"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
+#include "base/vector_operations.h"
 #include "direct/newton_rounds.h"
 
 namespace taut {
@@ -98,11 +97,9 @@ void FastProjection::prepare(const Vectors& start, double h, double answer) {
 double FastProjection::measure_residual(const Vectors& position, double h, StepReport& report) {
   const SystemLinks& links = system_.links;
   link_vectors(links, position, direction_);
-  const Eigen::Index count = std::ssize(residual_);
-  Eigen::Map<Eigen::ArrayXd> x(direction_.x.data(), count), y(direction_.y.data(), count),
-      z(direction_.z.data(), count), distance(distance_.data(), count), residual(residual_.data(), count);
-  distance = (x.square() + y.square() + z.square()).sqrt();
-  residual = distance - Eigen::Map<const Eigen::ArrayXd>(links.length.data(), count);
+  all_of(distance_) =
+      (all_of(direction_.x).square() + all_of(direction_.y).square() + all_of(direction_.z).square()).sqrt();
+  all_of(residual_) = all_of(distance_) - all_of(links.length);
   if (compliant_) add_compliance(h);
   scale_directions();
 

@@ -56,24 +56,6 @@ double dot(const Vectors& a, const Vectors& b) {
   return (all_of(a.x) * all_of(b.x) + all_of(a.y) * all_of(b.y) + all_of(a.z) * all_of(b.z)).sum();
 }
 
-// a += factor·b
-void add(std::vector<double>& a, double factor, const std::vector<double>& b) {
-  all_of(a) += factor * all_of(b);
-}
-
-void add(Vectors& a, double factor, const Vectors& b) {
-  for_each_axis([factor](auto& to, const auto& from) { add(to, factor, from); }, a, b);
-}
-
-// a ← b + factor·a
-void scale_and_add(std::vector<double>& a, double factor, const std::vector<double>& b) {
-  all_of(a) = all_of(b) + factor * all_of(a);
-}
-
-void scale_and_add(Vectors& a, double factor, const Vectors& b) {
-  for_each_axis([factor](auto& to, const auto& from) { scale_and_add(to, factor, from); }, a, b);
-}
-
 // result = weights·a, mass by mass
 void weigh(const std::vector<double>& weights, const Vectors& a, Vectors& result) {
   result.resize(a.size());
@@ -151,7 +133,7 @@ bool ImplicitNet::solve(const Vectors& start, double h, Vectors& position, std::
     last_error = error;
     report.link_solves += solve_linear(seek_balance) * static_cast<std::int64_t>(links_.size());
     report.rounds += 1;
-    add(position, 1.0, change_.mass);
+    add_scaled(position, 1.0, change_.mass, position);
     for (std::size_t i = 0; i < hard_; ++i) pull_[i] += change_.links[i];
   }
   report.status = StepStatus::not_converged;
@@ -259,7 +241,7 @@ std::int64_t ImplicitNet::solve_linear(bool seek_balance) {
   for (std::size_t i = 0; i < hard_; ++i) length_residual_[i] = -length_error_[i] * scale_[i];
   precondition(length_residual_, change_);
   multiply(change_, image_);
-  add(residual_, -1.0, image_);
+  add_scaled(residual_, -1.0, image_, residual_);
   std::fill(length_residual_.begin(), length_residual_.end(), 0.0);
   precondition(length_residual_, step_);
   search_ = step_;
@@ -270,15 +252,15 @@ std::int64_t ImplicitNet::solve_linear(bool seek_balance) {
     const double curvature = dot(search_.mass, image_);
     if (!(curvature > 0.0)) break;
     const double length = gain / curvature;
-    add(change_.mass, length, search_.mass);
-    add(change_.links, length, search_.links);
-    add(residual_, -length, image_);
+    add_scaled(change_.mass, length, search_.mass, change_.mass);
+    all_of(change_.links) += length * all_of(search_.links);
+    add_scaled(residual_, -length, image_, residual_);
     precondition(length_residual_, step_);
     const double next = dot(residual_, step_.mass);
     const double keep = next / gain;
     gain = next;
-    scale_and_add(search_.mass, keep, step_.mass);
-    scale_and_add(search_.links, keep, step_.links);
+    add_scaled(step_.mass, keep, search_.mass, search_.mass);
+    all_of(search_.links) = all_of(step_.links) + keep * all_of(search_.links);
     ++iterations;
   }
   return iterations;

@@ -141,7 +141,6 @@ NetFactor::NetFactor(const SparseMatrix& pattern) {
   pivot_.resize(size);
   local_.resize(size);
   find_panels();
-  place_entries(pattern);
   for (auto* list : {&first_, &next_, &reached_}) list->resize(panels_.size());
 }
 
@@ -168,26 +167,20 @@ void NetFactor::find_panels() {
   }
 }
 
-void NetFactor::place_entries(const SparseMatrix& pattern) {
-  for (int outer = 0; outer < pattern.outerSize(); ++outer)
-    for (SparseMatrix::InnerIterator entry(pattern, outer); entry; ++entry) {
-      const auto row = static_cast<std::size_t>(entry.row()), column = static_cast<std::size_t>(outer);
-      // The upper triangle's row is L's column.
-      const Index* const begin = row_.data() + begin_[row];
-      const Index* const end = row_.data() + begin_[row + 1];
-      entry_.push_back(row == column
-                           ? value_.size() + column
-                           : static_cast<std::size_t>(std::lower_bound(begin, end, column) - row_.data()));
-    }
+double* NetFactor::entry(std::size_t row, std::size_t column) {
+  if (row == column) return &pivot_[column];
+  // The upper triangle's row is L's column.
+  const auto begin = row_.begin() + static_cast<std::ptrdiff_t>(begin_[row]),
+             end = row_.begin() + static_cast<std::ptrdiff_t>(begin_[row + 1]);
+  return &value_[static_cast<std::size_t>(std::lower_bound(begin, end, column) - row_.begin())];
 }
 
-bool NetFactor::factor(const SparseMatrix& matrix, double shift, double least_pivot) {
+void NetFactor::clear() {
   std::fill(value_.begin(), value_.end(), 0.0);
-  std::fill(pivot_.begin(), pivot_.end(), shift);
-  for (std::size_t i = 0; i < entry_.size(); ++i) {
-    const std::size_t place = entry_[i];
-    (place < value_.size() ? value_[place] : pivot_[place - value_.size()]) += matrix.valuePtr()[i];
-  }
+  std::fill(pivot_.begin(), pivot_.end(), 0.0);
+}
+
+bool NetFactor::factor(double least_pivot) {
   std::fill(first_.begin(), first_.end(), none);
   const auto reach = [&](std::size_t by, std::size_t from) {  // the panel of its row `from`, next
     reached_[by] = from;

@@ -8,14 +8,19 @@
 
 namespace taut {
 
-/// Sparse LDLᵀ of a symmetric matrix whose rows are in an order that fills little.
+/// Sparse LDLᵀ of a symmetric matrix whose rows are in an order that fills little. The matrix is put together
+/// where its factor will be: clear(), then add to its entries, then factor().
 class NetFactor {
  public:
   /// For matrices of the pattern of this one, given by their upper triangle in compressed form.
   explicit NetFactor(const Eigen::SparseMatrix<double>& pattern);
 
-  /// Factorises the matrix plus `shift` on its diagonal. False where a pivot is not above `least_pivot`.
-  bool factor(const Eigen::SparseMatrix<double>& matrix, double shift, double least_pivot);
+  /// The place of an entry of the pattern, row ≤ column; the same as long as the factor lives.
+  double* entry(std::size_t row, std::size_t column);
+  /// Sets all of the matrix to 0.
+  void clear();
+  /// Factorises. False where a pivot is not above `least_pivot`.
+  bool factor(double least_pivot);
   /// Solves in place.
   void solve(std::vector<double>& b) const;
 
@@ -28,7 +33,6 @@ class NetFactor {
 
  private:
   void find_panels();
-  void place_entries(const Eigen::SparseMatrix<double>& pattern);
   void update(const Panel& by, std::size_t from, std::size_t columns, const Panel& panel);
   double* column_of(const Panel& panel, std::size_t column);
   bool finish(const Panel& panel, double least_pivot);

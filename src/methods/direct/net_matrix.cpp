@@ -7,7 +7,6 @@
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "direct/link_matrices.h"
@@ -20,17 +19,16 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 
 // Two links that share a free mass, the earlier one as the row (the upper triangle).
 struct Pair {
-  Eigen::Index row, column;
+  std::size_t row, column;
   double weight;  // ± w_m
   double* place = nullptr;
 };
 
 std::vector<Pair> shared_masses(const SystemLinks& links, std::size_t mass_count) {
-  std::vector<std::vector<std::pair<Eigen::Index, double>>> at(mass_count);  // link, ± w_m
+  std::vector<std::vector<std::pair<std::size_t, double>>> at(mass_count);  // link, ± w_m
   for (std::size_t i = 0; i < links.size(); ++i) {
-    const auto link = static_cast<Eigen::Index>(i);
-    if (links.weight_a[i] > 0.0) at[links.a[i]].emplace_back(link, links.weight_a[i]);
-    if (links.weight_b[i] > 0.0) at[links.b[i]].emplace_back(link, -links.weight_b[i]);
+    if (links.weight_a[i] > 0.0) at[links.a[i]].emplace_back(i, links.weight_a[i]);
+    if (links.weight_b[i] > 0.0) at[links.b[i]].emplace_back(i, -links.weight_b[i]);
   }
   std::vector<Pair> pairs;
   for (const auto& here : at)
@@ -48,7 +46,8 @@ SparseMatrix pattern(std::size_t links, const std::vector<Pair>& pairs) {
   const auto count = static_cast<Eigen::Index>(links);
   std::vector<Eigen::Triplet<double>> entries;
   for (Eigen::Index i = 0; i < count; ++i) entries.emplace_back(i, i, 1.0);
-  for (const Pair& pair : pairs) entries.emplace_back(pair.row, pair.column, 1.0);
+  for (const Pair& pair : pairs)
+    entries.emplace_back(static_cast<Eigen::Index>(pair.row), static_cast<Eigen::Index>(pair.column), 1.0);
   SparseMatrix matrix(count, count);
   matrix.setFromTriplets(entries.begin(), entries.end());
   matrix.makeCompressed();
@@ -58,36 +57,34 @@ SparseMatrix pattern(std::size_t links, const std::vector<Pair>& pairs) {
 class NetMatrix final : public LinkMatrix {
  public:
   NetMatrix(const SystemLinks& links, std::size_t mass_count)
-      : pairs_(shared_masses(links, mass_count)), matrix_(pattern(links.size(), pairs_)), factor_(matrix_) {
-    diagonal_place_.resize(links.size());
-    weight_.resize(links.size());
+      : pairs_(shared_masses(links, mass_count)), factor_(pattern(links.size(), pairs_)) {
     for (std::size_t i = 0; i < links.size(); ++i) {
-      diagonal_place_[i] = &matrix_.coeffRef(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i));
-      weight_[i] = links.weight_a[i] + links.weight_b[i];
+      weight_.push_back(links.weight_a[i] + links.weight_b[i]);
+      diagonal_place_.push_back(factor_.entry(i, i));
     }
-    for (Pair& pair : pairs_) pair.place = &matrix_.coeffRef(pair.row, pair.column);
+    for (Pair& pair : pairs_) pair.place = factor_.entry(pair.row, pair.column);
   }
 
   bool takes_unsymmetric() const override { return false; }
 
   bool factor(const Vectors& rows, const Vectors&, std::span<const double> diagonal) override {
-    std::fill(matrix_.valuePtr(), matrix_.valuePtr() + matrix_.nonZeros(), 0.0);
     double largest = 0.0, sum = 0.0;
+    entry_.resize(weight_.size());
     for (std::size_t i = 0; i < weight_.size(); ++i) {
-      const Vec3 row = rows.at(i);
-      *diagonal_place_[i] = weight_[i] * row.squaredNorm() + diagonal[i];
-      largest = std::max(largest, *diagonal_place_[i]);
-      sum += *diagonal_place_[i];
+      entry_[i] = weight_[i] * rows.at(i).squaredNorm() + diagonal[i];
+      largest = std::max(largest, entry_[i]);
+      sum += entry_[i];
     }
-    for (const Pair& pair : pairs_)
-      *pair.place +=
-          pair.weight *
-          rows.at(static_cast<std::size_t>(pair.row)).dot(rows.at(static_cast<std::size_t>(pair.column)));
     if (!std::isfinite(sum)) return false;
     // Redundant links make the matrix singular: then a tiny compliance in all of them, far below what the
     // tolerance on lengths can see, because residuals are not touched.
-    for (const double share : {0.0, 1e-10, 1e-8})
-      if (factor_.factor(matrix_, share * largest, 1e-13 * largest)) return true;
+    for (const double share : {0.0, 1e-10, 1e-8}) {
+      factor_.clear();
+      for (std::size_t i = 0; i < entry_.size(); ++i) *diagonal_place_[i] = entry_[i] + share * largest;
+      for (const Pair& pair : pairs_)
+        *pair.place += pair.weight * rows.at(pair.row).dot(rows.at(pair.column));
+      if (factor_.factor(1e-13 * largest)) return true;
+    }
     return false;
   }
 
@@ -95,10 +92,9 @@ class NetMatrix final : public LinkMatrix {
 
  private:
   std::vector<Pair> pairs_;
-  SparseMatrix matrix_;  // upper triangle
-  std::vector<double*> diagonal_place_;
-  std::vector<double> weight_;
   NetFactor factor_;
+  std::vector<double*> diagonal_place_;
+  std::vector<double> weight_, entry_;  // w_a + w_b, and the entries on the diagonal
 };
 
 }  // namespace

@@ -30,8 +30,8 @@ class PathMatrix final : public LinkMatrix {
   bool takes_unsymmetric() const override { return true; }
 
   bool factor(const Vectors& rows, const Vectors& columns, std::span<const double> diagonal) override {
-    fill(rows, columns, diagonal);
-    return eliminate([](std::size_t, double) { return 0.0; }, [](double) {});
+    return eliminate(
+        fill(rows, columns, diagonal), [](std::size_t, double) { return 0.0; }, [](double) {});
   }
 
   void solve(std::vector<double>& b) override {
@@ -52,18 +52,19 @@ class PathMatrix final : public LinkMatrix {
   // The right side is eliminated along with the matrix, while its divisions are waited for.
   bool factor_and_solve(const Vectors& rows, const Vectors& columns, std::span<const double> diagonal,
                         std::vector<double>& b) override {
-    fill(rows, columns, diagonal);
-    const auto meet = [&](double carried) { b[middle_] -= carried; };
-    if (!eliminate([&](std::size_t i, double carried) { return b[i] -= carried; }, meet)) return false;
+    const std::vector<double>& below = fill(rows, columns, diagonal);
+    const auto reduce = [&](std::size_t i, double carried) { return b[i] -= carried; };
+    if (!eliminate(below, reduce, [&](double carried) { b[middle_] -= carried; })) return false;
     if (!b.empty()) substitute_back(b);
     return true;
   }
 
  private:
-  // The three diagonals.
-  void fill(const Vectors& rows, const Vectors& columns, std::span<const double> diagonal) {
+  // The three diagonals; returns the lower one, which is the upper one where rows and columns are the same.
+  const std::vector<double>& fill(const Vectors& rows, const Vectors& columns,
+                                  std::span<const double> diagonal) {
     const std::size_t count = weight_.size();
-    if (count == 0) return;
+    if (count == 0) return above_;
     const auto products = [&](const Vectors& r, std::size_t i, const Vectors& c, std::size_t j,
                               std::size_t size) {
       return segment(r.x, i, size) * segment(c.x, j, size) + segment(r.y, i, size) * segment(c.y, j, size) +
@@ -74,17 +75,17 @@ class PathMatrix final : public LinkMatrix {
     const std::size_t pairs = count - 1;
     const auto coupling = segment(coupling_, 0, pairs);
     segment(above_, 0, pairs) = coupling * products(rows, 0, columns, 1, pairs);
-    if (&rows != &columns) segment(below_, 0, pairs) = coupling * products(rows, 1, columns, 0, pairs);
-    symmetric_ = &rows == &columns;
+    if (&rows == &columns) return above_;
+    segment(below_, 0, pairs) = coupling * products(rows, 1, columns, 0, pairs);
+    return below_;
   }
 
   // What reduce(i, carried) gives for a right side's entry, less what was carried to it, is carried on; what
   // comes to the middle from both sides goes to meet().
   template <class Reduce, class Meet>
-  bool eliminate(const Reduce& reduce, const Meet& meet) {
+  bool eliminate(const std::vector<double>& below, const Reduce& reduce, const Meet& meet) {
     const std::size_t count = weight_.size();
     if (count == 0) return true;
-    const std::vector<double>& below = symmetric_ ? above_ : below_;
     double unsound = 0.0;  // 0 unless a pivot or its inverse is not finite
     double from_first = 0.0, from_last = 0.0, right_first = 0.0, right_last = 0.0;
     const auto step = [&](std::size_t i, double towards, double away, double& carried, double& right) {
@@ -128,7 +129,6 @@ class PathMatrix final : public LinkMatrix {
   std::vector<double> coupling_;       // ± w_m of the mass shared with the next link; 0 where there is none
   std::vector<double> entry_;          // A_ii
   std::vector<double> above_, below_;  // A_{i,i+1}, A_{i+1,i}; the latter only where they differ
-  bool symmetric_ = false;
   std::vector<double> inverse_pivot_;
   std::vector<double> inward_,
       outward_;  // off-diagonals over the pivot: towards the middle's row, and its own
