@@ -44,6 +44,7 @@ void break_at_once(const Model& model, State& state, const std::vector<Index>& l
   answer_kick(model, state, state.velocity);
   state.unanswered_kick = 0.0;
   state.tension_before.clear();
+  state.own_steps.settled = false;
   for (const Index link : links) {
     state.broken_at[link] = state.time;
     state.tension[link] = 0.0;

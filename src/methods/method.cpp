@@ -12,6 +12,11 @@ std::string_view Settings::choice(std::string_view name) const {
   return std::get<std::string>(values.find(name)->second);
 }
 
+std::string pace_text(const Settings& settings) {
+  return settings.chooses_steps() ? fmt::format("within {:g} m a step", settings.number("tolerance"))
+                                  : fmt::format("at {:g} steps/s", settings.steps_per_second());
+}
+
 std::string conservation_text(const Conservation& keeps) {
   const auto momentum = [](Keeping keeping) {
     switch (keeping) {

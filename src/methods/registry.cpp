@@ -16,15 +16,16 @@ Method verlet_method();
 Method xpbd_method();
 Method shake_method();
 Method rattle_method();
+Method dop853_method();
 Method newton_method();
 Method spring_explicit_method();
 Method spring_implicit_method();
 
 std::span<const Method> all_methods() {
   static const std::array methods{
-      euler_method(),           verlet_method(),          xpbd_method(),
-      shake_method(),           rattle_method(),          newton_method(),
-      spring_explicit_method(), spring_implicit_method(),
+      euler_method(),  verlet_method(),          xpbd_method(),
+      shake_method(),  rattle_method(),          dop853_method(),
+      newton_method(), spring_explicit_method(), spring_implicit_method(),
   };
   return methods;
 }

@@ -40,6 +40,8 @@ std::string_view reason(StepStatus status) {
       return "a position or velocity is no longer a finite number";
     case StepStatus::energy_jump:
       return "it made energy out of nothing";
+    case StepStatus::chattering:
+      return "its stops are met and left again without end";
   }
   return "";
 }
@@ -56,7 +58,7 @@ Run::Run(const Model& model, const State& start, const Settings& settings, const
       settings_(complete_settings(settings)),
       method_(willing_method(model, start, settings_)),
       policy_(policy),
-      steps_per_second_(settings_.steps_per_second()),
+      steps_per_second_(method_.can.chooses_steps ? 0.0 : settings_.steps_per_second()),
       start_time_(start.time),
       energy_base_{energy(model, start), energy_scale(model, start)},
       stepper_(method_.make(model, settings_, execution)),
@@ -72,6 +74,10 @@ Run::Run(const Model& model, const State& start, const Settings& settings, const
 Run::~Run() = default;
 Run::Run(Run&&) noexcept = default;
 
+double Run::reached() const {
+  return method_.can.chooses_steps ? stepper_->glimpse().time : step_time(report_.steps);
+}
+
 double Run::step_time(std::int64_t step) const {
   // The sum of many steps would drift away from it.
   return start_time_ + static_cast<double>(step) / steps_per_second_;
@@ -79,6 +85,7 @@ double Run::step_time(std::int64_t step) const {
 
 bool Run::step() {
   if (ended()) return false;
+  if (method_.can.chooses_steps) return own_step();
   const double begin = step_time(report_.steps), h = 1.0 / steps_per_second_;
   cuts_left_ = most_cuts;
   const StepReport step = guarded_step(h, step_time(report_.steps + 1), policy_.most_halvings);
@@ -90,6 +97,21 @@ bool Run::step() {
   }
   if (!model_.breakable_links.empty())
     break_links(links_over_threshold(model_, method_.can, state()), report_.counts);
+  ++report_.steps;
+  return report_.steps % steps_between_looks != 0 || holds_together();
+}
+
+// As long as the method has it, as far as the next break.
+bool Run::own_step() {
+  const StepReport step = stepper_->step(infinity, infinity);
+  report_.counts.add(step);
+  if (step.status != StepStatus::done) {
+    report_.end = RunEnd::step_failed;
+    return false;
+  }
+  if (ledger_.keeps_anything()) ledger_.record(stepper_->glimpse());
+  const std::span<const Index> breaking = stepper_->breaking();
+  break_links({breaking.begin(), breaking.end()}, report_.counts);
   ++report_.steps;
   return report_.steps % steps_between_looks != 0 || holds_together();
 }
@@ -185,14 +207,15 @@ bool Run::holds_together() {
 }
 
 std::optional<State> Run::at(double time, const StopTest& stop) {
-  while (step_time(report_.steps) < time) {
+  while (reached() < time) {
     if (stop && stop()) return std::nullopt;
     // Copied only where it is needed: a copy of every step would cost as much as a cheap step itself.
-    if (step_time(report_.steps + 1) > time) before_ = state();
+    if (!method_.can.chooses_steps && step_time(report_.steps + 1) > time) before_ = state();
     if (!step()) return std::nullopt;
   }
   if (!holds_together()) return std::nullopt;
   if (state().time == time) return state();
+  if (method_.can.chooses_steps) return stepper_->between(time);
   return interpolate(*before_, state(), time, method_.can.between_steps);
 }
 
@@ -200,19 +223,20 @@ std::string Run::failure() const {
   if (report_.end == RunEnd::none) return {};
   if (report_.end == RunEnd::diverged)
     return fmt::format(
-        "the run with method {} at {} steps/s diverges: at t = {:.6g} s its masses move with {:.3g} times "
-        "the "
-        "scene's energy",
-        settings_.method, steps_per_second_, state().time,
+        "the run with method {} {} diverges: at t = {:.6g} s its masses move with {:.3g} times the scene's "
+        "energy",
+        settings_.method, pace_text(settings_), state().time,
         energy(model_, state()).kinetic / energy_at_hand());
   std::string where;
   if (const Index link = report_.counts.worst_link; link != no_link)
     where = fmt::format(" at the link {} – {}", model_.masses.name[model_.links.a[link]],
                         model_.masses.name[model_.links.b[link]]);
   const bool halved = policy_.most_halvings > 0 && method_.can.takes_steps_back;
-  return fmt::format("the step from t = {:.6g} s by {:.3g} s can't be solved with method {}: {}{}{}",
-                     state().time, 1.0 / steps_per_second_, settings_.method, reason(report_.counts.status),
-                     where, halved ? ", even after halving it" : "");
+  const std::string length =
+      method_.can.chooses_steps ? "" : fmt::format(" by {:.3g} s", 1.0 / steps_per_second_);
+  return fmt::format("the step from t = {:.6g} s{} can't be solved with method {}: {}{}{}", state().time,
+                     length, settings_.method, reason(report_.counts.status), where,
+                     halved ? ", even after halving it" : "");
 }
 
 State Run::reported(const State& state) const {

@@ -8,7 +8,7 @@
 namespace taut {
 namespace {
 
-constexpr std::string_view begins_with = "taut run state 1\n";
+constexpr std::string_view begins_with = "taut run state 2\n";
 
 // One list of the parts serves both ways: `pass` is called for each of them.
 template <class Pass, class Saved>
@@ -26,6 +26,9 @@ void for_each_part(Saved& saved, const Pass& pass) {
   pass(saved.state.static_friction.solids);
   pass(saved.state.static_friction.bodies);
   pass(saved.state.static_friction.joints);
+  pass(saved.state.own_steps.next);
+  pass(saved.state.own_steps.settled);
+  pass(saved.state.own_steps.held);
   pass(saved.report);
   pass(saved.work);
 }

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <vector>
 
-#include "direct/link_system.h"
-#include "model/limits.h"
+#include "direct/limit_border.h"
 
 namespace taut {
 
@@ -12,11 +10,7 @@ namespace taut {
 inline constexpr double limit_tolerance = 1e-10;
 
 /// The limits on angles that push in a step, beside a link system that is solved directly: an active set.
-/// Each is a row G and a column G₀ of gradients, and borders the links' matrix A = R W Cᵀ,
-///   ( A        R W G₀ᵀ ) (λ)   (r)
-///   ( G W Cᵀ   D       ) (μ) = (c),    D = G W G₀ᵀ + α̃,
-/// which is solved by way of the small matrix D − (G W Cᵀ) A⁻¹ (R W G₀ᵀ). Where limits or links say the same
-/// twice, the least μ is taken.
+/// They border the links' matrix (LimitBorder).
 class ActiveLimits {
  public:
   explicit ActiveLimits(const Model& model);
@@ -55,41 +49,20 @@ class ActiveLimits {
             std::vector<double>& links, Vectors& velocity);
 
  private:
-  // A limit that takes part in a solve.
-  struct Row {
-    std::size_t limit;
-    LimitAngle along, column;  // ∇C now, and the direction its masses are moved in
-    double wanted;             // c
-    double compliance;         // α̃
-  };
   // How hard a stop has pushed in this step, and at which end of the range.
   struct Push {
     double multiplier = 0.0;
     double sign = 1.0;
   };
 
-  LimitAngle outward(std::size_t limit, double sign, const Vectors& position) const;
-  double own_weight(std::size_t limit, const LimitAngle& along) const;
-  double product(const Row& row, const Row& column) const;
-  double change(const Row& row, const Vectors& velocity) const;
-  void move(std::size_t limit, const LimitAngle& column, double strength, Vectors& target) const;
-  void reach(const Row& column, Vectors& moved) const;
-  double felt(const Row& row, const SystemLinks& links, const Vectors& columns,
-              const std::vector<double>& strength) const;
-  Eigen::VectorXd solve(const LinkSystem& system, const Vectors& rows, const Vectors& columns,
-                        std::vector<double>& links);
-
   const std::vector<Limit>& limits_;
-  const std::vector<double>& inverse_mass_;
+  LimitBorder border_;
   std::vector<Push> pushes_;
   std::vector<Push> start_pushes_;  // of soft limits at the start of a step with half kicks
   std::vector<double> share_;       // of h² τ₁ that μ is
-  std::vector<Row> active_;
-  // Room for a solve.
-  std::vector<std::vector<double>> answers_;  // A⁻¹ R W G₀ᵀ
-  Vectors moved_;
-  std::vector<double> given_;
-  double h_ = 0.0;  // s
+  std::vector<LimitRow> active_;
+  std::vector<double> given_;  // room for a solve
+  double h_ = 0.0;             // s
 };
 
 }  // namespace taut

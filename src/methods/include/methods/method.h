@@ -32,6 +32,7 @@ enum class Family {
   relaxation,      ///< links one by one, as positions
   stormer_verlet,  ///< forces at the ends of a step, and rigid links at their lengths
   implicit,        ///< all links together at the end of a step
+  acceleration,    ///< accelerations with the tensions in them, integrated to high order
 };
 
 /// What theory says about a method's longest step, or about how it fails whatever the step.
@@ -75,6 +76,9 @@ struct Capabilities {
   /// Solves a step to the end, or can tell that it failed: then half the step may do, and so it may where a
   /// step made energy out of nothing. A step can be taken back.
   bool takes_steps_back = false;
+  /// Makes steps as long as a tolerance allows, which end where a link comes to a threshold, and knows what
+  /// is between their ends (Stepper::between). Its parameter is `tolerance` instead of `steps_per_second`.
+  bool chooses_steps = false;
   Conservation keeps;
   Family family = Family::relaxation;
   StepLimit limit = StepLimit::none;
@@ -88,7 +92,9 @@ struct Settings {
 
   double number(std::string_view name) const;
   std::string_view choice(std::string_view name) const;
+  /// Of a method that does not choose its steps.
   double steps_per_second() const { return number("steps_per_second"); }
+  bool chooses_steps() const { return values.contains("tolerance"); }
 };
 
 enum class StepStatus {
@@ -98,6 +104,7 @@ enum class StepStatus {
   factorisation_failed,  ///< the linear system is singular
   not_finite,            ///< a position or velocity is no longer a number
   energy_jump,           ///< the step made energy out of nothing, as the run that it belongs to found
+  chattering,            ///< stops are met and left again without end
 };
 
 /// What one step did. Counts add up over halved steps.
@@ -132,8 +139,9 @@ class Stepper {
   /// Takes a state over: to be called before the first step, and whenever a state has been changed from
   /// outside (a link has broken, say).
   virtual void load(const State& state) = 0;
-  /// Moves on by h seconds, to `end_time` (h after the present one, but for rounding). A failed step leaves
-  /// what store() gives as it was. Breaks no links, but for a method with Capabilities::breaks_within_step.
+  /// Moves on by h seconds, to `end_time` (h after the present one, but for rounding); a method with
+  /// Capabilities::chooses_steps goes no further than that. A failed step leaves what store() gives as it
+  /// was. Breaks no links, but for a method with Capabilities::breaks_within_step.
   virtual StepReport step(double h, double end_time) = 0;
   /// Takes the last step back; once after a step that succeeded, and only where
   /// Capabilities::takes_steps_back.
@@ -141,6 +149,11 @@ class Stepper {
   /// The state that the steps have come to, until the next call of any other function. It may first have to
   /// be made.
   virtual const State& store() = 0;
+
+  /// Where Capabilities::chooses_steps: the state at a time within the last step, and the links that have
+  /// come to their thresholds at its end, which are to be broken before the next one.
+  virtual State between(double) { return store(); }
+  virtual std::span<const Index> breaking() const { return {}; }
 
   /// What glimpse() is to show from now on.
   virtual void watch(const Watched&) {}
@@ -156,6 +169,9 @@ struct Prices {
   double solve = 10.0;  ///< one of StepReport::link_solves
   double factor = 2.0;  ///< of a factorisation, to be multiplied by rows^1.5
 };
+
+/// How finely settings make a method run, for people: "at 600 steps/s", or "within 1e-06 m a step".
+std::string pace_text(const Settings& settings);
 
 /// What a method keeps and loses, in a line for people.
 std::string conservation_text(const Conservation& keeps);

@@ -23,6 +23,23 @@ struct StaticFriction {
   std::vector<Vec3> joints;  ///< rad, one a joint: how far it has given way, along JointAngles' directions
 };
 
+/// A limit on an angle that a method which knows when stops are met and left holds at one end of its range,
+/// +1 the upper or −1 the lower: a hard one stays there, a soft one pushes back from beyond it.
+struct HeldStop {
+  Index limit = 0;
+  double sign = 1.0;
+
+  bool operator==(const HeldStop&) const = default;
+};
+
+/// What a method that chooses its own steps takes along.
+struct OwnSteps {
+  double next = 0.0;  ///< s, the length it wants to try next; 0: it is yet to find one
+  /// Whether it is known which stops are held: not before the first step, or after something has broken.
+  bool settled = false;
+  std::vector<HeldStop> held;
+};
+
 /// Everything about a scene's physics that moves. Positions and velocities hold for the same time.
 struct State {
   double time = 0.0;  ///< s
@@ -40,6 +57,7 @@ struct State {
   /// N, one a link: the tension at the start of the last step, for a method that continues it to the end of
   /// the next one; empty where that can't be done, as after a break.
   std::vector<double> tension_before;
+  OwnSteps own_steps;
 
   bool broken(std::size_t link) const { return broken_at[link] != infinity; }
 };

@@ -21,8 +21,8 @@ class EnergyGuard;
 
 /// A model in motion by one method, and the one loop that steps it: whatever draws, exports, judges, times or
 /// explains a run goes through here. It moves in whole steps of 1/steps_per_second; step k ends at exactly
-/// start + k/steps_per_second, and so does what breaks in it. What is asked of it in between never changes
-/// the run.
+/// start + k/steps_per_second, and so does what breaks in it; or in steps of the method's own choice
+/// (Capabilities::chooses_steps). What is asked of it in between never changes the run.
 class Run {
  public:
   /// Refers to the model from then on. Settings are completed. Throws BadRequest where the method refuses the
@@ -71,7 +71,9 @@ class Run {
   RunState save() const;
 
  private:
+  double reached() const;
   double step_time(std::int64_t step) const;
+  bool own_step();
   StepReport guarded_step(double h, double end_time, int halvings);
   void note_halving(double begin, const StepReport& report);
   StepReport cut_step(double h, double end_time, int halvings, StepReport report);
@@ -81,7 +83,8 @@ class Run {
   Settings settings_;
   const Method& method_;
   RunPolicy policy_;
-  double steps_per_second_, start_time_;
+  double steps_per_second_;  // 0 where the method chooses its steps
+  double start_time_;
   EnergyBase energy_base_;
   std::unique_ptr<Stepper> stepper_;
   WorkLedger ledger_;

@@ -1,0 +1,87 @@
+// DOP853 at acceleration level: an explicit Runge–Kutta method of order 8 with step control (Hairer, Nørsett
+// and Wanner, Solving Ordinary Differential Equations I, 1993, section II.10) of the equations of motion with
+// the links' tensions in them (Equations), each step's end projected back onto the links (Hairer, Lubich and
+// Wanner, Geometric Numerical Integration, 2006, section IV.4). It ends its steps exactly where a link breaks
+// and where a stop on an angle is met or left (HighOrderStepper).
+//
+// Its error is proportional to its tolerance, and its steps to the eighth root of that: ten digits cost four
+// times what two do. Links with stiffness are forces, and a stiff one makes its steps short.
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "high_order/stepper.h"
+#include "methods/method.h"
+
+namespace taut {
+namespace {
+
+constexpr std::array dop853_params{
+    Param{"tolerance",
+          "m",
+          1e-6,
+          1e-14,
+          1.0,
+          false,
+          {},
+          "error of a position that a step may make; of a velocity ten times that a second"},
+};
+
+std::unique_ptr<Stepper> make_dop853(const Model& model, const Settings& settings, const Execution&) {
+  return std::make_unique<HighOrderStepper>(model, settings.number("tolerance"));
+}
+
+std::string link_name(const Model& model, Index link) {
+  return fmt::format("{} – {}", model.masses.name[model.links.a[link]],
+                     model.masses.name[model.links.b[link]]);
+}
+
+std::string dop853_refusal(const Model& model, const State& start, const Settings& settings) {
+  if (!model.joints.empty())
+    return "method dop853 has no damping or friction of joints; rattle, newton and xpbd have";
+  double farthest = 0.0;
+  for (std::size_t i = 0; i < start.position.size(); ++i)
+    farthest = std::max(farthest, start.position.at(i).lpNorm<Eigen::Infinity>());
+  const double least = 4.0 * std::numeric_limits<double>::epsilon() * farthest;
+  if (settings.number("tolerance") < least)
+    return fmt::format("positions of up to {:.3g} m can't be told apart within a tolerance below {:.1e} m",
+                       farthest, least);
+  for (const Limit& limit : model.limits)
+    if (limit.compliance == 0.0 && overshoot(limit, limit_angle(limit, start.position)).size > 1e-9)
+      return fmt::format(
+          "the angle at {} starts {:.3g}° beyond its hard stop, where method dop853 has no motion",
+          model.masses.name[limit.masses[1]],
+          overshoot(limit, limit_angle(limit, start.position)).size * 180.0 / std::numbers::pi);
+  if (const Index link = redundant_link(model, start); link != no_link)
+    return fmt::format(
+        "the link {} says nothing that other rigid links do not say already: its tension is not to be known, "
+        "and method dop853 needs it. Leave the link out or give it stiffness, or use xpbd or newton",
+        link_name(model, link));
+  return {};
+}
+
+}  // namespace
+
+Method dop853_method() {
+  Capabilities can;
+  can.family = Family::acceleration;
+  can.stiffness = true;
+  can.limits = true;
+  can.break_stretch = true;
+  can.break_tension = true;
+  can.tension_order = 2;
+  can.chooses_steps = true;
+  return {"dop853",
+          "order 8 with step control: the accurate end, and the exact moment of breaks and stops",
+          "Hairer, Nørsett and Wanner, Solving Ordinary Differential Equations I (1993)",
+          dop853_params,
+          can,
+          {10.0, 15.0, 0.1},
+          make_dop853,
+          dop853_refusal};
+}
+
+}  // namespace taut

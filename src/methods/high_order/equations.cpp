@@ -1,0 +1,326 @@
+#include "high_order/equations.h"
+
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "base/vector_operations.h"
+#include "direct/newton_rounds.h"
+#include "forces/free_acceleration.h"
+#include "model/limit_motion.h"
+
+namespace taut {
+namespace {
+
+constexpr int most_rounds = 8;
+// Velocities along links, and of angles, that count as none: as a share of the masses' speeds.
+constexpr double still = 1e-14;
+// How near a stop is touched (rad), and how slowly it is left at rest (rad/s).
+constexpr double touching = 1e-10, resting = 1e-9;
+
+std::vector<Index> whole_rigid_links(const Model& model, const State& state) {
+  std::vector<Index> links;
+  for (const Index link : solvable_links(model))
+    if (model.links.rigid(link) && !state.broken(link)) links.push_back(link);
+  return links;
+}
+
+double largest(const Vectors& vectors) {
+  double size = 0.0;
+  for (const auto* axis : {&vectors.x, &vectors.y, &vectors.z})
+    if (!axis->empty()) size = std::max(size, all_of(*axis).abs().maxCoeff());
+  return size;
+}
+
+}  // namespace
+
+Equations::Equations(const Model& model, const State& state)
+    : model_(model),
+      whole_(state),
+      system_(make_link_system(model, whole_rigid_links(model, state))),
+      springs_(gather_springs(model, state)),
+      border_(model),
+      no_compliance_(system_.links.size(), 0.0) {}
+
+void Equations::hold(const std::vector<HeldStop>& stops) {
+  hard_.clear();
+  soft_.clear();
+  for (const HeldStop& stop : stops)
+    (model_.limits[stop.limit].compliance > 0.0 ? soft_ : hard_).push_back(stop);
+  pushes_.assign(hard_.size(), 0.0);
+}
+
+std::vector<LimitRow> Equations::hard_rows(const std::vector<HeldStop>& stops,
+                                           const Vectors& position) const {
+  std::vector<LimitRow> rows;
+  for (const HeldStop& stop : stops) {
+    const LimitAngle along = border_.outward(stop.limit, stop.sign, position);
+    rows.push_back({stop.limit, along, along, 0.0, 0.0});
+  }
+  return rows;
+}
+
+bool Equations::factor(const Vectors& position) {
+  link_vectors(system_.links, position, direction_);
+  return system_.matrix->factor(direction_, direction_, no_compliance_);
+}
+
+// Multipliers in place of the links' right sides; the stops' into strength_.
+bool Equations::solve(const std::vector<LimitRow>& stops, std::vector<double>& multipliers) {
+  const Eigen::VectorXd strength = border_.solve(system_, direction_, direction_, stops, multipliers);
+  strength_.assign(strength.begin(), strength.end());
+  return std::ranges::all_of(strength_, [](double s) { return std::isfinite(s); });
+}
+
+// from −= W (Jᵀ λ + Gᵀ μ)
+void Equations::take(const std::vector<LimitRow>& stops, Vectors& from) {
+  apply_impulses(system_.links, direction_, multipliers_, from, -1.0);
+  for (std::size_t i = 0; i < stops.size(); ++i)
+    border_.move(stops[i].limit, stops[i].column, -strength_[i], from);
+}
+
+// a_free
+void Equations::free_motion(double time, const Vectors& position, const Vectors& velocity,
+                            Vectors& acceleration) {
+  free_accelerations(model_, whole_, springs_, time, position, velocity, acceleration, spring_tension_);
+  for (const HeldStop& stop : soft_) {
+    const Limit& limit = model_.limits[stop.limit];
+    const double excess = excess_at(limit, limit_angle(limit, position), stop.sign);
+    border_.move(stop.limit, border_.outward(stop.limit, stop.sign, position), -excess / limit.compliance,
+                 acceleration);
+  }
+}
+
+bool Equations::evaluate(double time, const Vectors& position, const Vectors& velocity,
+                         Vectors& acceleration) {
+  const SystemLinks& links = system_.links;
+  free_motion(time, position, velocity, acceleration);
+  link_vectors(links, position, direction_);
+  along_links_moving(links, direction_, acceleration, velocity, multipliers_);
+  if (hard_.empty()) {
+    if (!system_.matrix->factor_and_solve(direction_, direction_, no_compliance_, multipliers_)) return false;
+    apply_impulses(links, direction_, multipliers_, acceleration, -1.0);
+    return true;
+  }
+  rows_ = hard_rows(hard_, position);
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    rows_[i].wanted = border_.change(rows_[i], acceleration) +
+                      hard_[i].sign * limit_motion(model_.limits[hard_[i].limit], position, velocity).change;
+  if (!system_.matrix->factor(direction_, direction_, no_compliance_) || !solve(rows_, multipliers_))
+    return false;
+  take(rows_, acceleration);
+  pushes_ = strength_;
+  return true;
+}
+
+void Equations::write_tensions(std::vector<double>& tension) const {
+  tension.assign(model_.links.size(), 0.0);
+  const SystemLinks& links = system_.links;
+  for (std::size_t i = 0; i < multipliers_.size(); ++i)
+    tension[links.link[i]] = multipliers_[i] * links.length[i];
+  for (std::size_t i = 0; i < spring_tension_.size(); ++i)
+    tension[springs_.links.link[i]] = spring_tension_[i];
+}
+
+// (|d|² − l²)/2 of every link into the multipliers; returns the largest error in a length over the length.
+double Equations::length_residual(const Vectors& position) {
+  const SystemLinks& links = system_.links;
+  link_vectors(links, position, direction_);
+  multipliers_.resize(links.size());
+  if (links.size() == 0) return 0.0;
+  const auto x = all_of(direction_.x), y = all_of(direction_.y), z = all_of(direction_.z);
+  const auto length = all_of(links.length);
+  all_of(multipliers_) = 0.5 * (x * x + y * y + z * z - length * length);
+  Eigen::Index worst = 0;
+  const double error = (all_of(multipliers_) / (length * length)).abs().maxCoeff<Eigen::PropagateNaN>(&worst);
+  worst_link_ = links.link[static_cast<std::size_t>(worst)];
+  return error;
+}
+
+// How far the held hard stops are from their ends, into their rows.
+double Equations::stop_residual(const Vectors& position) {
+  rows_ = hard_rows(hard_, position);
+  double worst = 0.0;
+  for (LimitRow& row : rows_) {
+    const HeldStop& stop = hard_[static_cast<std::size_t>(&row - rows_.data())];
+    const Limit& limit = model_.limits[stop.limit];
+    row.wanted = excess_at(limit, limit_angle(limit, position), stop.sign);
+    worst = std::max(worst, std::abs(row.wanted));
+  }
+  return worst;
+}
+
+// Newton's method with the gradients where it is.
+bool Equations::project_positions(Vectors& position) {
+  const double tolerance = 0.1 * length_tolerance(system_.links, position);
+  double last = infinity;
+  for (int round = 0; round < most_rounds; ++round) {
+    const double error = std::max(length_residual(position), stop_residual(position));
+    if (!std::isfinite(error)) return false;
+    // Where rounding forbids what is asked for, what no round makes better is taken.
+    if (error <= tolerance || (error <= 10.0 * tolerance && error > 0.5 * last)) return true;
+    last = error;
+    if (!system_.matrix->factor(direction_, direction_, no_compliance_) || !solve(rows_, multipliers_))
+      return false;
+    factored_ = true;
+    take(rows_, position);
+  }
+  return false;
+}
+
+// With the matrix where positions were before their last round; what that leaves is taken by another.
+bool Equations::project_velocities(const Vectors& position, Vectors& velocity) {
+  const SystemLinks& links = system_.links;
+  const double most = still * largest(velocity);
+  rows_ = hard_rows(hard_, position);
+  double last = infinity;
+  for (int round = 0; round < most_rounds; ++round) {
+    along_links(links, direction_, velocity, multipliers_);
+    double error = links.size() == 0 ? 0.0 : (all_of(multipliers_) / all_of(links.length)).abs().maxCoeff();
+    for (LimitRow& row : rows_) {
+      row.wanted = border_.change(row, velocity);
+      error = std::max(error, std::abs(row.wanted));
+    }
+    if (!std::isfinite(error)) return false;
+    if (error <= most || error > 0.5 * last) return true;
+    last = error;
+    if (!factored_ && !system_.matrix->factor(direction_, direction_, no_compliance_)) return false;
+    factored_ = true;
+    if (!solve(rows_, multipliers_)) return false;
+    take(rows_, velocity);
+  }
+  return true;
+}
+
+bool Equations::project(Vectors& position, Vectors& velocity) {
+  factored_ = false;
+  return project_positions(position) && project_velocities(position, velocity);
+}
+
+// The linear complementarity problem
+//   u' = u − W (Jᵀ λ + Gᵀ μ),  J u' + c = 0,  0 ≤ μ ⊥ −(G u' + c) ≥ 0
+// of impulses on velocities u, or of forces on accelerations u, whose c (`links`, `wanted`) are what moving
+// gradients add; by principal pivots, each on the first row that is not as it should be (Murty, Linear
+// Complementarity, 1988, section 4.2).
+template <class Wanted>
+bool Equations::answer(const std::vector<LimitRow>& touched, const Wanted& wanted,
+                       const std::vector<double>& links, std::vector<bool>& pushing, Vectors& u) {
+  const Vectors given = u;
+  pushing.assign(touched.size(), false);
+  double scale = 0.0;
+  const auto measure = [&](const Vectors& of) {
+    for (std::size_t i = 0; i < touched.size(); ++i) scale = std::max(scale, std::abs(wanted(i, of)));
+  };
+  measure(given);
+  for (std::size_t i = 0; i < touched.size(); ++i) pushing[i] = wanted(i, given) > 0.0;
+  const std::size_t most_pivots = 8 * (touched.size() + 1) * (touched.size() + 1);
+  for (std::size_t pivot = 0; pivot < most_pivots; ++pivot) {
+    std::vector<LimitRow> some;
+    for (std::size_t i = 0; i < touched.size(); ++i)
+      if (pushing[i]) {
+        some.push_back(touched[i]);
+        some.back().wanted = wanted(i, given);
+      }
+    multipliers_ = links;
+    if (!solve(some, multipliers_)) return false;
+    u = given;
+    take(some, u);
+    measure(u);
+    const double none = 1e-12 * scale;
+    std::size_t wrong = 0, next = 0;
+    for (; wrong < touched.size(); ++wrong) {
+      const bool is_wrong = pushing[wrong] ? strength_[next++] < 0.0 : wanted(wrong, u) > none;
+      if (is_wrong) break;
+    }
+    if (wrong == touched.size()) return true;
+    pushing[wrong] = !pushing[wrong];
+  }
+  return false;
+}
+
+bool Equations::settle(double time, const Vectors& position, Vectors& velocity, std::vector<HeldStop>& held) {
+  std::vector<HeldStop> near, pressed;
+  for (std::size_t i = 0; i < model_.limits.size(); ++i)
+    for (const double sign : {1.0, -1.0}) {
+      const Limit& limit = model_.limits[i];
+      if (!(excess_at(limit, limit_angle(limit, position), sign) > -touching)) continue;
+      (limit.compliance > 0.0 ? pressed : near).push_back({static_cast<Index>(i), sign});
+    }
+  held.clear();
+  std::vector<LimitRow> rows;
+  const auto speed = [&](std::size_t i, const Vectors& u) { return border_.change(rows[i], u); };
+  if (!near.empty()) {
+    rows = hard_rows(near, position);
+    if (!factor(position)) return false;
+    std::vector<double> links;
+    std::vector<bool> pushing;
+    along_links(system_.links, direction_, velocity, links);
+    if (!answer(rows, speed, links, pushing, velocity)) return false;
+  }
+  // A soft stop is pressed from now on where it is beyond its end, or on its way there.
+  for (const HeldStop& stop : pressed) {
+    const Limit& limit = model_.limits[stop.limit];
+    const LimitAngle along = border_.outward(stop.limit, stop.sign, position);
+    const bool beyond = excess_at(limit, limit_angle(limit, position), stop.sign) > touching;
+    if (beyond || border_.change({stop.limit, along, along, 0.0, 0.0}, velocity) >= 0.0) held.push_back(stop);
+  }
+  hold(held);
+  if (near.empty()) return true;
+
+  std::vector<HeldStop> at_rest;
+  for (std::size_t i = 0; i < near.size(); ++i)
+    if (speed(i, velocity) > -resting) at_rest.push_back(near[i]);
+  rows = hard_rows(at_rest, position);
+  std::vector<double> curved;
+  for (const HeldStop& stop : at_rest)
+    curved.push_back(stop.sign * limit_motion(model_.limits[stop.limit], position, velocity).change);
+  Vectors acceleration;
+  free_motion(time, position, velocity, acceleration);
+  std::vector<double> links;
+  std::vector<bool> pushing;
+  along_links_moving(system_.links, direction_, acceleration, velocity, links);
+  const auto gathering = [&](std::size_t i, const Vectors& u) {
+    return border_.change(rows[i], u) + curved[i];
+  };
+  // The links' right side is that of the free motion, whatever is held.
+  if (!answer(rows, gathering, links, pushing, acceleration)) return false;
+  for (std::size_t i = 0; i < at_rest.size(); ++i)
+    if (pushing[i]) held.push_back(at_rest[i]);
+  hold(held);
+  return true;
+}
+
+Index redundant_link(const Model& model, const State& state) {
+  const SystemLinks links = gather(model, whole_rigid_links(model, state));
+  if (links.size() == 0) return no_link;
+  Vectors direction;
+  link_vectors(links, state.position, direction);
+  std::vector<std::vector<std::pair<std::size_t, double>>> at(model.masses.size());  // link, ± w_m
+  std::vector<Eigen::Triplet<double>> entries;
+  const auto as_index = [](std::size_t i) { return static_cast<int>(i); };
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    if (links.weight_a[i] > 0.0) at[links.a[i]].emplace_back(i, links.weight_a[i]);
+    if (links.weight_b[i] > 0.0) at[links.b[i]].emplace_back(i, -links.weight_b[i]);
+  }
+  // Rows of unit length in the metric of mass, so that pivots can be compared.
+  std::vector<double> scale;
+  for (std::size_t i = 0; i < links.size(); ++i)
+    scale.push_back(1.0 / std::sqrt((links.weight_a[i] + links.weight_b[i]) * direction.at(i).squaredNorm()));
+  for (const auto& here : at)
+    for (const auto& [i, weight_i] : here)
+      for (const auto& [j, weight_j] : here)
+        if (i >= j)
+          entries.emplace_back(as_index(i), as_index(j),
+                               (weight_i * weight_j > 0.0 ? 1.0 : -1.0) * std::abs(weight_i) *
+                                   direction.at(i).dot(direction.at(j)) * scale[i] * scale[j]);
+  Eigen::SparseMatrix<double> matrix(as_index(links.size()), as_index(links.size()));
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(matrix);
+  const auto pivots = factor.vectorD();
+  for (Eigen::Index i = 0; i < pivots.size(); ++i)
+    if (!(pivots[i] > 1e-11))
+      return links.link[static_cast<std::size_t>(factor.permutationPinv().indices()[i])];
+  return no_link;
+}
+
+}  // namespace taut

@@ -1,0 +1,62 @@
+#include "high_order/event_watch.h"
+
+#include <algorithm>
+
+namespace taut {
+namespace {
+
+constexpr double at_once = 1e-9;  // of a threshold: links so near to it break together
+// How far beyond its end an angle is where its stop counts as met, and how far inside where a soft one counts
+// as left (rad): more than rounding, far less than anyone can tell.
+constexpr double met = 1e-12;
+
+}  // namespace
+
+void EventWatch::begin(const State& state) {
+  links_.clear();
+  for (const Index link : model_.breakable_links)
+    if (!state.broken(link)) links_.push_back(link);
+  held_ = state.own_steps.held;
+}
+
+double EventWatch::past_break(const Vectors& position, Index link) const {
+  const double by_tension = tension_[link] / model_.links.break_tension[link] - 1.0;
+  const double longest = model_.links.break_stretch[link] * model_.links.length[link];
+  if (longest == infinity) return by_tension;
+  return std::max(by_tension, link_distance(model_, position, link) / longest - 1.0);
+}
+
+double EventWatch::past_limit(const Vectors& position, std::size_t index) const {
+  const Limit& limit = model_.limits[index];
+  const double angle = limit_angle(limit, position);
+  double past = -infinity;
+  for (const double sign : {1.0, -1.0}) {
+    const bool held = std::ranges::find(held_, HeldStop{static_cast<Index>(index), sign}) != held_.end();
+    const double excess = excess_at(limit, angle, sign);
+    if (!held)
+      past = std::max(past, excess - met);
+    else if (limit.compliance > 0.0)
+      past = std::max(past, -excess - met);
+  }
+  return past;
+}
+
+double EventWatch::past(const Vectors& position, const Equations& equations) {
+  double past = -infinity;
+  if (!links_.empty()) equations.write_tensions(tension_);
+  for (const Index link : links_) past = std::max(past, past_break(position, link));
+  for (std::size_t i = 0; i < model_.limits.size(); ++i) past = std::max(past, past_limit(position, i));
+  for (const double push : equations.pushes()) past = std::max(past, -push);
+  return past;
+}
+
+std::vector<Index> EventWatch::breaking(const Vectors& position, const Equations& equations) {
+  std::vector<Index> links;
+  if (links_.empty()) return links;
+  equations.write_tensions(tension_);
+  std::ranges::copy_if(links_, std::back_inserter(links),
+                       [&](Index link) { return past_break(position, link) > -at_once; });
+  return links;
+}
+
+}  // namespace taut
