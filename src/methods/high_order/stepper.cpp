@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/vector_operations.h"
 
@@ -293,8 +294,8 @@ bool HighOrderStepper::find_bracket(double h, StepReport& report, Bracket& brack
 }
 
 // Makes the step as far as the event: the shortest of the steps found that is past it. What is past at the
-// end of a step is zero where the event is, by its length: false position, with halvings where that is slow
-// (Illinois). Returns its length. The bracket is the interpolant's; where steps themselves see nothing past
+// end of a step is zero where the event is, by its length: false position, and halving where that is slow.
+// Returns its length. The bracket is the interpolant's; where steps themselves see nothing past
 // at its end, that is as far as it goes.
 double HighOrderStepper::step_to_event(Bracket bracket, double h, StepReport& report) {
   double at = bracket.high;
@@ -315,27 +316,25 @@ double HighOrderStepper::step_to_event(Bracket bracket, double h, StepReport& re
     past_low = past_;
   }
   const double width = 4.0 * std::numeric_limits<double>::epsilon() * std::max(std::abs(state_.time), h);
-  double weight_low = past_low, weight_high = past_high;
-  bool halve = false;
-  for (int round = 0; high - low > width && round < 100; ++round) {
-    double middle = 0.5 * (low + high);
-    if (!halve && weight_low < 0.0 && std::isfinite(weight_low)) {
-      middle = high - weight_high * (high - low) / (weight_high - weight_low);
-      middle = std::clamp(middle, low + 0.25 * width, high - 0.25 * width);
-    }
+  double guess = 0.5 * (low + high);
+  while (high - low > width) {
     const double before = high - low;
-    const double past = past_after(middle);
-    if (report.status != StepStatus::done) return at;
-    if (past > 0.0) {
-      high = middle;
-      weight_high = past;
-      weight_low *= 0.5;
-    } else {
-      low = middle;
-      weight_low = past;
-      weight_high *= 0.5;
+    double middle = 0.5 * (low + high);
+    if (past_low < 0.0 && std::isfinite(past_low)) {
+      const double last = std::exchange(guess, low - past_low * before / (past_high - past_low));
+      // A little further than the guess, from the nearer end: to have the event between the two.
+      const double beyond = std::max(0.5 * width, 0.01 * std::abs(guess - last));
+      middle = std::clamp(guess - low < high - guess ? guess + beyond : guess - beyond, low + 0.25 * width,
+                          high - 0.25 * width);
     }
-    halve = high - low > 0.5 * before && !halve;
+    for (int tries = 0; tries < 2; ++tries) {
+      const double past = past_after(middle);
+      if (report.status != StepStatus::done) return at;
+      (past > 0.0 ? high : low) = middle;
+      (past > 0.0 ? past_high : past_low) = past;
+      if (high - low <= std::max(width, 0.5 * before)) break;
+      middle = 0.5 * (low + high);
+    }
   }
   if (at != high) past_after(high);
   return at;
