@@ -112,7 +112,11 @@ void describe(const Scene& scene, Json& json) {
   json["duration"] = scene.duration;
   json["notes"] = scene.notes;
   json["method"] = scene.settings.method;
-  json["steps_per_second"] = scene.settings.steps_per_second();
+  if (scene.settings.chooses_steps())
+    json["tolerance"] = scene.settings.number("tolerance");
+  else
+    json["steps_per_second"] = scene.settings.steps_per_second();
+  json["pace"] = pace_text(scene.settings);
 }
 
 Verdict check_scene(const std::string& argument, const CheckFlags& flags, int threads, const StopTest& stop) {
@@ -191,10 +195,10 @@ void print_verdict(const Verdict& verdict, const CheckFlags& flags) {
     fmt::print("{}", json["resolved"].get<std::string>());
     return;
   }
-  fmt::print("{}: {} masses, {} links, {} s with {} at {} steps/s{}\n", json["scene"].get<std::string>(),
+  fmt::print("{}: {} masses, {} links, {} s with {} {}{}\n", json["scene"].get<std::string>(),
              json["masses"].get<std::size_t>(), json["links"].get<std::size_t>(),
              json["duration"].get<double>(), json["method"].get<std::string>(),
-             json["steps_per_second"].get<double>(), verdict.status == exit_done ? ", fine" : "");
+             json["pace"].get<std::string>(), verdict.status == exit_done ? ", fine" : "");
   fmt::print("{}", verdict.explanation);
   if (json.contains("reference")) print_reference(json["reference"]);
   if (!json.contains("findings")) return;

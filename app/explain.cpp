@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "measure/pace.h"
 #include "methods/registry.h"
 
 namespace taut {
@@ -41,7 +42,7 @@ std::string explanation_text(const Scene& scene, const Explanation& explanation)
       "method: {}, {}; {}", settings.method, find_method(settings.method)->title,
       scene.solve_given ? "chosen by the scene or the command line" : "the scene leaves it open"));
   say(fmt::format("a step takes {} here, a second of the scene {}", time_text(explanation.step_seconds),
-                  time_text(explanation.step_seconds * settings.steps_per_second())));
+                  time_text(explanation.step_seconds * pace_of(scene.model, settings))));
   say(fmt::format("{} masses are pinned, {} links are solved, {} lie between two pins and are not",
                   explanation.pins, explanation.links - explanation.links_between_pins,
                   explanation.links_between_pins));

@@ -12,8 +12,7 @@
 #include "bounded_queue.h"
 #include "frames/simulation.h"
 #include "measure/cost.h"
-#include "measure/events.h"
-#include "measure/explicit_integrator.h"
+#include "measure/pace.h"
 #include "measure/plan.h"
 #include "methods/registry.h"
 #include "model/measures.h"
@@ -28,92 +27,63 @@ constexpr double finer = 4.0, finer_of_order_2 = 2.0;  // steps, than those of t
 constexpr double patience = 10.0,
                  least_patience = 3.0;  // how much dearer than the first run, and s, at least
 
-// A run that can be asked for its state at rising times; nothing where it has ended.
-class Second {
+// A run, and a coarser one to know what it is off itself.
+class SecondRun {
  public:
-  virtual ~Second() = default;
-  virtual std::optional<State> at(double time, const StopTest& stop) = 0;
-  virtual double own_error() const = 0;  // m, as far as it has come
-  virtual std::string problem() const = 0;
-};
+  // `error_share`: what the finer one is off, of the distance between the two.
+  SecondRun(const Model& model, const State& start, const Settings& fine, const Settings& coarse,
+            double error_share)
+      : fine_(model, start, fine), coarse_(model, start, coarse), error_share_(error_share) {}
 
-// Two tolerances; the tighter one speaks, and their distance is what it may be off.
-class Integration final : public Second {
- public:
-  Integration(const Model& model, const State& start, double most_seconds)
-      : most_evaluations_(static_cast<long>(most_seconds / predicted_seconds(model, "rattle", 1.0, 1))),
-        loose_(model, start, 10.0 * integration_tolerance * scene_size(model, start)),
-        tight_(model, start, integration_tolerance * scene_size(model, start)) {}
-
-  std::optional<State> at(double time, const StopTest& stop) override {
-    if (!loose_.advance_to(time, most_evaluations_, stop) ||
-        !tight_.advance_to(time, most_evaluations_, stop)) {
-      problem_ = "the equations at acceleration level became singular, or took too long to integrate";
-      return std::nullopt;
-    }
-    State state = tight_.state();
-    own_error_ = std::max(own_error_, position_error(loose_.state(), state));
-    return state;
-  }
-  double own_error() const override { return own_error_; }
-  std::string problem() const override { return problem_; }
-  long evaluations() const { return loose_.evaluations() + tight_.evaluations(); }
-
- private:
-  long most_evaluations_;
-  ExplicitIntegrator loose_, tight_;
-  double own_error_ = 0.0;
-  std::string problem_;
-};
-
-// A method at some step, and at twice that step to know what it is off itself.
-class MethodRuns final : public Second {
- public:
-  MethodRuns(const Model& model, const State& start, const Settings& settings, double error_share)
-      : fine_(model, start, settings),
-        coarse_(model, start, with_half_the_steps(settings)),
-        error_share_(error_share) {}
-
-  std::optional<State> at(double time, const StopTest& stop) override {
+  // Its state at a time, which may not fall; nothing where it has ended.
+  std::optional<State> at(double time, const StopTest& stop) {
     const StopTest thrown = throwing(stop);
     std::optional<State> state = fine_.at(time, thrown);
     if (const std::optional<State> coarse = coarse_.at(time, thrown); coarse && state)
       own_error_ = std::max(own_error_, error_share_ * position_error(*coarse, *state));
     return state;
   }
-  double own_error() const override { return own_error_; }
-  std::string problem() const override { return fine_.failure(); }
+  // m, as far as it has come.
+  double own_error() const { return own_error_; }
+  std::string problem() const { return fine_.failure(); }
+  // Predicted, of both (s).
+  double spent(const Model& model) const { return spent_by(model, fine_) + spent_by(model, coarse_); }
 
  private:
-  static Settings with_half_the_steps(Settings settings) {
-    settings.values["steps_per_second"] = 0.5 * settings.steps_per_second();
-    return settings;
+  static double spent_by(const Model& model, const Run& run) {
+    return predicted_seconds(model, run.settings().method, run.report().counts,
+                             static_cast<double>(run.steps()));
   }
+
   Run fine_, coarse_;
-  double error_share_;  // of the distance between the two
+  double error_share_;
   double own_error_ = 0.0;
 };
 
 // A second run, and what it is.
 struct Chosen {
-  std::unique_ptr<Second> second;
+  std::unique_ptr<SecondRun> second;
   std::string how;
 };
 
-// Nothing where the equations are singular at once, or a tenth of a second tells that all of it would take
-// too long.
+// Nothing where the first run is of that kind, where it can't do the scene, or where a tenth of a second
+// tells that all of it would take too long.
 std::optional<Chosen> by_integration(const Scene& scene, double most_seconds, const StopTest& stop) {
   constexpr double trial = 0.1;
   const Model& model = scene.model;
-  if (has_events(model)) return std::nullopt;
-  Integration tried(model, scene.start, most_seconds);
+  const double tolerance = integration_tolerance * scene_size(model, scene.start);
+  const Settings fine = complete_settings({"dop853", {{"tolerance", tolerance}}}),
+                 coarse = complete_settings({"dop853", {{"tolerance", 10.0 * tolerance}}});
+  if (fine.method == scene.settings.method || !refusals(model, scene.start, fine).empty())
+    return std::nullopt;
+  const auto integration = [&] { return std::make_unique<SecondRun>(model, scene.start, fine, coarse, 1.0); };
+  const auto tried = integration();
   const double until = std::min(trial, scene.duration);
-  if (!tried.at(scene.start.time + until, stop)) return std::nullopt;
-  const double seconds =
-      static_cast<double>(tried.evaluations()) * predicted_seconds(model, "rattle", 1.0, 1);
-  if (seconds * scene.duration / until > most_seconds) return std::nullopt;
-  return Chosen{std::make_unique<Integration>(model, scene.start, most_seconds),
-                "an integration of the equations at acceleration level (Dormand–Prince 5(4))"};
+  if (predicted_seconds(model, fine, until) > most_seconds || !tried->at(scene.start.time + until, stop) ||
+      tried->spent(model) * scene.duration / until > most_seconds)
+    return std::nullopt;
+  return Chosen{integration(),
+                "an integration of order 8 at acceleration level (" + settings_text(fine) + ")"};
 }
 
 // The finest steps of a method that are worth it: so much finer than the first run's, and more where the
@@ -123,19 +93,27 @@ std::optional<Chosen> by_method(const Scene& scene, std::string_view method, dou
   if (!capability_problems(scene.model, *find_method(method)).empty()) return std::nullopt;
   Settings settings =
       method == scene.settings.method ? scene.settings : complete_settings({std::string(method), {}});
-  double rate = factor * scene.settings.steps_per_second();
+  const auto at_pace = [&](double pace) {
+    Settings paced = settings;
+    set_pace(scene.model, paced, pace);
+    return paced;
+  };
+  double rate = factor * pace_of(scene.model, scene.settings);
   const auto refused = [&](double tried) {
-    Settings half = settings;
-    half.values["steps_per_second"] = 0.5 * tried;
-    return !refusals(scene.model, scene.start, half).empty();
+    return !refusals(scene.model, scene.start, at_pace(0.5 * tried)).empty();
   };
   constexpr double most = 1e6;
   while (rate < most && refused(rate)) rate *= 2.0;
+  // What takes few long steps is judged by as many short ones as there is time for.
+  if (scene.settings.chooses_steps())
+    while (rate < most && predicted_seconds(scene.model, at_pace(rate), scene.duration) < 0.25 * most_seconds)
+      rate *= 2.0;
   if (rate > most) return std::nullopt;
-  settings.values["steps_per_second"] = rate;
+  settings = at_pace(rate);
   if (predicted_seconds(scene.model, settings, scene.duration) > most_seconds) return std::nullopt;
-  return Chosen{std::make_unique<MethodRuns>(scene.model, scene.start, settings, error_share),
-                settings_text(settings) + remark};
+  return Chosen{
+      std::make_unique<SecondRun>(scene.model, scene.start, settings, at_pace(0.5 * rate), error_share),
+      settings_text(settings) + remark};
 }
 
 Chosen choose_second(const Scene& scene, const StopTest& stop) {

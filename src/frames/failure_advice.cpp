@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/digits.h"
+#include "measure/pace.h"
 #include "measure/stability_edge.h"
 #include "methods/registry.h"
 #include "model/measures.h"
@@ -101,7 +102,7 @@ std::string pins_too_fast(const Scene& scene, const State& failed) {
   const Model& model = scene.model;
   if (model.driven_pins.empty() || model.links.size() == 0) return {};
   const double link = total_link_length(model) / static_cast<double>(model.links.size()),
-               h = 1.0 / scene.settings.steps_per_second();
+               h = 1.0 / pace_of(model, scene.settings);
   const DrivenPin* fastest = nullptr;
   double speed = 0.0;
   for (const DrivenPin& pin : model.driven_pins)
@@ -155,6 +156,8 @@ std::string cause_of_failure(const Scene& scene, const State& failed) {
 std::string failure_advice(const Scene& scene, const State& failed, const StopTest& stop) {
   const std::string cause = cause_of_failure(scene, failed);
   std::string advice;
+  if (scene.settings.chooses_steps())
+    return cause.empty() ? "; shorter steps were tried" : "; what seems to be the cause: " + cause;
   if (const auto found = holding_rate(scene, failed.time, stop)) {
     const std::string tried = found->tried_until >= scene.duration
                                   ? "to the scene's end"

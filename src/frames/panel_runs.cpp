@@ -71,7 +71,8 @@ std::string panel_title(const Scene& scene) {
     if (!param.choices.empty() && std::get<std::string>(value) != param.choices.front())
       title += fmt::format(", {} {}", name, std::get<std::string>(value));
   }
-  return title + fmt::format(", {} steps/s", settings.steps_per_second());
+  return title + (settings.chooses_steps() ? fmt::format(", {:g} m a step", settings.number("tolerance"))
+                                           : fmt::format(", {} steps/s", settings.steps_per_second()));
 }
 
 std::vector<std::string> panel_lines(const Scene& scene, const RunMeasures& measures,

@@ -41,22 +41,24 @@ Passes passes_for(const Model& model) {
 std::optional<Opinion> opinion_of(const Model& model, const State& start, const MethodVariant& curve,
                                   const std::vector<double>& times, double most_seconds, double enough,
                                   const StopTest& stop) {
-  Opinion opinion{curve.name, curve.method, curve.relaxes(), 0.0, {}, {}};
+  Opinion opinion{curve.name, curve.method, curve.relaxes(), 0.0, {}, {}, {}};
   const Passes passes = passes_for(model);
   const double horizon = times.back();
   double work = 0.0;
   for (double rate = 120.0; rate <= 1e6 && 2.0 * work <= most_seconds; rate *= 2.0) {
+    const Settings settings = settings_at(model, curve, rate, passes.fine);
     if (predicted_seconds(model, curve.settings.method, rate * horizon, curve.relaxes() ? passes.fine : 1) >
         most_seconds)
       break;
     try {
-      SampledRun run =
-          sampled_run(model, start, settings_at(curve, rate, passes.fine), times, chart_policy, stop);
-      work = predicted_seconds(model, curve.settings.method, run.report.counts, rate * horizon);
+      SampledRun run = sampled_run(model, start, settings, times, chart_policy, stop);
+      work = predicted_seconds(model, curve.settings.method, run.report.counts,
+                               static_cast<double>(run.report.steps));
       if (run.failed()) continue;
       opinion.coarse = std::move(opinion.fine);
       opinion.fine = std::move(run.states);
       opinion.rate = rate;
+      opinion.pace = pace_text(settings);
       if (settled(opinion, model, start, enough)) break;
     } catch (const BadRequest&) {
       continue;  // springs too stiff for this step
@@ -64,8 +66,8 @@ std::optional<Opinion> opinion_of(const Model& model, const State& start, const 
   }
   if (opinion.coarse.empty()) return std::nullopt;
   if (curve.relaxes() && passes.coarse != passes.fine)
-    opinion.coarse = sampled_run(model, start, settings_at(curve, 0.5 * opinion.rate, passes.coarse), times,
-                                 chart_policy, stop)
+    opinion.coarse = sampled_run(model, start, settings_at(model, curve, 0.5 * opinion.rate, passes.coarse),
+                                 times, chart_policy, stop)
                          .states;
   if (opinion.coarse.size() < times.size()) return std::nullopt;
   return opinion;
@@ -88,10 +90,10 @@ bool may_agree(const Opinion& a, const Opinion& b, bool alone) {
 
 std::string names_of(const Pair& pair) {
   if (pair.first == pair.second)
-    return fmt::format("{} at {} steps/s and at half of that agree (no other method can do this scene)",
-                       pair.first->name, pair.first->rate);
-  return fmt::format("{} at {} steps/s and {} at {} steps/s agree{}", pair.first->name, pair.first->rate,
-                     pair.second->name, pair.second->rate,
+    return fmt::format("{} {} and in steps twice as long agree (no other method can do this scene)",
+                       pair.first->name, pair.first->pace);
+  return fmt::format("{} {} and {} {} agree{}", pair.first->name, pair.first->pace, pair.second->name,
+                     pair.second->pace,
                      pair.first->relaxes && pair.second->relaxes ? " (both relax links one by one)" : "");
 }
 

@@ -1,7 +1,10 @@
 #include "measure/cost.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "measure/pace.h"
+#include "methods/frequency.h"
 #include "methods/registry.h"
 #include "model/parts.h"
 
@@ -14,6 +17,19 @@ constexpr double dense_round = 0.036;
 // ns a limit and round, and a contact point and step, beside what its links cost.
 constexpr double limit_round = 70.0, contact_step = 100.0;
 constexpr double wind_step = 19.0;  // ns a triangle and step
+// Of a method that chooses its steps: evaluations of all links a step, and how far a step can go beside the
+// vibration of the stiffest springs, ω·h.
+constexpr std::int64_t evaluations = 14;
+constexpr double farthest_turn = 4.0;
+
+// Steps a second that settings make by rule.
+double expected_pace(const Model& model, const Settings& settings) {
+  double pace = pace_of(model, settings);
+  if (!settings.chooses_steps()) return pace;
+  State whole;
+  whole.broken_at.assign(model.links.size(), infinity);
+  return std::max(pace, spring_frequency_bound(model, whole) / farthest_turn);
+}
 
 }  // namespace
 
@@ -28,7 +44,7 @@ double predicted_seconds(const Model& model, std::string_view method, const Step
   const bool dense = price.factor > 0.0 && limits > 0.0;
   // Where links with stiffness are forces, a model without rigid links has a system of no rows.
   const bool factors = entry.can.limit != StepLimit::sideways_vibration || has_rigid_links(model);
-  return 1e-9 * (any_step * steps + price.step * steps * rows +
+  return 1e-9 * (any_step * steps + price.round * rounds + price.step * steps * rows +
                  price.solve * static_cast<double>(counts.link_solves) +
                  (factors ? price.factor * static_cast<double>(counts.factorisations) * rows * std::sqrt(rows)
                           : 0.0) +
@@ -42,15 +58,20 @@ double predicted_seconds(const Model& model, std::string_view method, double ste
   counts.link_solves =
       static_cast<std::int64_t>(steps) * passes * static_cast<std::int64_t>(model.links.size());
   counts.rounds = static_cast<std::int64_t>(steps) * passes;
-  if (find_param(*find_method(method), "passes") == nullptr)
-    counts.factorisations = static_cast<std::int64_t>(steps);
+  const Method& entry = *find_method(method);
+  if (find_param(entry, "passes") == nullptr) counts.factorisations = static_cast<std::int64_t>(steps);
+  if (entry.can.chooses_steps) {
+    counts.rounds = counts.factorisations;
+    counts.factorisations *= evaluations;
+    counts.link_solves = counts.factorisations * static_cast<std::int64_t>(model.links.size());
+  }
   return predicted_seconds(model, method, counts, steps);
 }
 
 double predicted_seconds(const Model& model, const Settings& settings, double seconds) {
   const auto passes =
       settings.values.contains("passes") ? static_cast<std::int64_t>(settings.number("passes")) : 2;
-  return predicted_seconds(model, settings.method, settings.steps_per_second() * seconds, passes);
+  return predicted_seconds(model, settings.method, expected_pace(model, settings) * seconds, passes);
 }
 
 }  // namespace taut

@@ -13,9 +13,19 @@ constexpr double watching_rate = 960.0;  // steps per second
 constexpr std::int64_t interval = 4;     // steps between two looks
 constexpr double alike = 1e-9;           // of the scene's size
 
-std::string_view cause(const Model& model, const State& state) {
-  if (broken_links(state) > 0) return "the first link breaks";
-  return largest_limit_excess(model, state) > 0.0 ? "an angle reaches its limit" : "something is touched";
+std::string_view cause(const Model& model, const Model& calm, const State& state) {
+  if (calm.breakable_links.empty() && broken_links(state) > 0) return "the first link breaks";
+  const bool reached = calm.limits.empty() && largest_limit_excess(model, state) > 0.0;
+  return reached ? "an angle reaches its limit" : "something is touched";
+}
+
+// Without anything that can be met, reached or broken.
+Model without_events(Model model) {
+  model.limits.clear();
+  model.breakable_links.clear();
+  std::ranges::fill(model.links.break_stretch, infinity);
+  std::ranges::fill(model.links.break_tension, infinity);
+  return model;
 }
 
 }  // namespace
@@ -24,21 +34,21 @@ bool has_events(const Model& model) {
   return !model.contacts.empty() || !model.limits.empty() || !model.breakable_links.empty();
 }
 
-Model without_events(const Model& model) {
-  Model calm = model;
-  calm.colliders.clear();
-  calm.contacts.clear();
-  calm.limits.clear();
-  calm.breakable_links.clear();
-  std::ranges::fill(calm.links.break_stretch, infinity);
-  std::ranges::fill(calm.links.break_tension, infinity);
-  return calm;
+Model without_unlocated_events(const Model& model, const State& start) {
+  Model untouched = model;
+  untouched.colliders.clear();
+  untouched.contacts.clear();
+  const bool located = refusals(untouched, start, complete_settings({"dop853", {}})).empty();
+  return located ? untouched : without_events(std::move(untouched));
 }
 
 std::optional<Event> first_event(const Model& model, const State& start, double horizon,
                                  const StopTest& stop) {
   if (!has_events(model)) return std::nullopt;
-  const Model calm = without_events(model);
+  const Model calm = without_unlocated_events(model, start);
+  if (calm.contacts.size() == model.contacts.size() && calm.limits.size() == model.limits.size() &&
+      calm.breakable_links.size() == model.breakable_links.size())
+    return std::nullopt;
   const Settings settings =
       complete_settings({"xpbd", {{"steps_per_second", watching_rate}, {"passes", 1.0}}});
   Run run(model, start, settings), calm_run(calm, start, settings);
@@ -51,7 +61,7 @@ std::optional<Event> first_event(const Model& model, const State& start, double 
     }
     // Written so that what is not a number counts as different.
     if (run.ended() || !(position_error(run.state(), calm_run.state()) <= allowed))
-      return Event{run.state().time, cause(model, run.state())};
+      return Event{run.state().time, cause(model, calm, run.state())};
   }
   return std::nullopt;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "measure/pace.h"
 #include "methods/registry.h"
 #include "model/parts.h"
 
@@ -26,7 +27,10 @@ std::vector<MethodVariant> variants(const Model& model, const Method& method, st
   plain.settings = complete_settings({std::string(method.name), {}});
   plain.can = method.can;
   plain.method = place;
-  plain.finer = {"steps_per_second", 60.0, 2.0, 15};  // to 983,040
+  if (method.can.chooses_steps)
+    plain.finer = {"tolerance", 1e-2, 0.1, 12};  // to 1e-13 m
+  else
+    plain.finer = {"steps_per_second", 60.0, 2.0, 15};  // to 983,040
   if (relaxes(model, method)) plain.passes = ChartAxis{"passes", 1.0, 4.0, 5};
   std::vector<MethodVariant> curves{plain};
   for (const Param& param : method.params) {
@@ -48,8 +52,9 @@ std::vector<MethodVariant> variants(const Model& model, const Method& method, st
 // Why the method refuses the model even with the finest steps; empty when it doesn't.
 std::string refusal(const Model& model, const State& start, const Method& method,
                     const MethodVariant& curve) {
-  const double finest = find_param(method, "steps_per_second")->max;
-  const std::vector<std::string> problems = refusals(model, start, settings_at(curve, finest, 1));
+  const Param* steps = find_param(method, "steps_per_second");
+  const std::vector<std::string> problems =
+      refusals(model, start, steps == nullptr ? curve.settings : settings_at(model, curve, steps->max, 1));
   return problems.empty() ? std::string() : problems.front();
 }
 
@@ -86,9 +91,9 @@ MethodVariants variants_of(const Model& model, const State& start, const std::ve
   return result;
 }
 
-Settings settings_at(const MethodVariant& variant, double steps_per_second, int passes) {
+Settings settings_at(const Model& model, const MethodVariant& variant, double steps_per_second, int passes) {
   Settings settings = variant.settings;
-  settings.values["steps_per_second"] = steps_per_second;
+  set_pace(model, settings, steps_per_second);
   if (variant.relaxes()) settings.values["passes"] = static_cast<double>(passes);
   return settings;
 }

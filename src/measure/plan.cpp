@@ -59,7 +59,7 @@ double wanted_error(const AccuracyTarget& target, const Model& model, const Stat
 }
 
 std::string settings_text(const Settings& settings) {
-  std::string text = fmt::format("{} at {} steps/s", settings.method, settings.steps_per_second());
+  std::string text = fmt::format("{} {}", settings.method, pace_text(settings));
   const Settings usual = complete_settings({settings.method, {}});
   for (const auto& [name, value] : settings.values) {
     if (name == "passes") {

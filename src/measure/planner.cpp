@@ -9,6 +9,7 @@
 #include "base/processor_time.h"
 #include "measure/cost.h"
 #include "measure/method_variants.h"
+#include "measure/pace.h"
 #include "measure/rounding.h"
 #include "measure/work_precision.h"
 #include "methods/registry.h"
@@ -111,8 +112,7 @@ std::optional<JudgedRun> GridSearch::judged(const Settings& settings) {
   }
   Tried& tried = tried_.emplace_back();
   tried.settings = settings;
-  tried.work =
-      predicted_seconds(model_, settings.method, run.counts, truth_.horizon() * settings.steps_per_second());
+  tried.work = predicted_seconds(model_, settings.method, run.counts, static_cast<double>(run.steps));
   prices_.add(settings.method, tried.work, processor_seconds() - begin);
   // What is smaller can't be told from the truth.
   if (!run.diverged)
@@ -207,9 +207,9 @@ Plan make_plan(const Model& model, const State& start, const Truth& truth, const
                   good ? "the cheapest that is good enough" : "the best, but not good enough,", search.runs(),
                   search.out_of_time() ? " until the time was up" : "", truth.how, plan.predicted_seconds);
   const Settings usual = complete_settings({plan.settings.method, {}});
-  const double rate = plan.settings.steps_per_second(), least = usual.steps_per_second();
+  const double rate = pace_of(model, plan.settings), least = pace_of(model, usual);
   if (!plan.judged_to_the_end() && rate < least) {
-    plan.settings.values["steps_per_second"] = least;
+    set_pace(model, plan.settings, least);
     plan.predicted_seconds *= least / rate;
     plan.why += "; with no coarser step than usual, as the run can't be judged to its end";
   }

@@ -9,6 +9,7 @@
 
 #include "base/failure.h"
 #include "measure/cost.h"
+#include "measure/pace.h"
 #include "measure/plan.h"
 #include "methods/registry.h"
 #include "model/measures.h"
@@ -23,11 +24,6 @@ constexpr double lowest_rate = 60.0, highest_rate = 1e6;  // steps per second
 
 bool knows_springs_as_forces(const Method& method) {
   return method.can.limit == StepLimit::sideways_vibration || method.can.limit == StepLimit::spring_frequency;
-}
-
-int order_of(const Settings& settings) {
-  if (settings.method != "rattle" && settings.method != "shake") return 1;
-  return settings.values.contains("order") && settings.choice("order") == "4" ? 4 : 2;
 }
 
 // The chart's grid: 60 · 2^n steps a second, at least so many.
@@ -45,12 +41,22 @@ double accurate_step(const TimeScales& scales, double wanted, int order) {
 }
 
 ProbeCandidate candidate(const Model& model, const Method& method, double passes, const TimeScales& scales,
-                         double wanted) {
+                         double wanted, double size) {
+  constexpr double grown = 10.0, finest_share = 1e-12;
   constexpr double below_rule = 8.0;  // where to begin: rules err to both sides, and coarse runs cost little
   ProbeCandidate result;
   result.settings = complete_settings({std::string(method.name), {}});
   if (find_param(method, "passes") != nullptr) result.settings.values["passes"] = passes;
-  result.order = order_of(result.settings);
+  result.order = order_in_step(result.settings);
+  if (method.can.chooses_steps) {
+    // A tolerance is a wanted error as it stands, but for what a motion makes of it on its way.
+    const Param& tolerance = *find_param(method, "tolerance");
+    result.settings.values["tolerance"] =
+        std::clamp(wanted * size / grown, std::max(tolerance.min, finest_share * size), tolerance.max);
+    result.rule_rate = pace_of(model, result.settings);
+    result.first_rate = 0.5 * result.rule_rate;
+    return result;
+  }
   result.rule_rate = on_grid(1.0 / accurate_step(scales, wanted, result.order));
   result.first_rate = on_grid(result.rule_rate / below_rule);
   if (knows_springs_as_forces(method)) {
@@ -114,12 +120,13 @@ double distance(const ProbeScene& scene, const ProbeSample& a, const ProbeSample
   return *difference(scene.model, scene.start, a.summary, b.summary)[scene.kind];
 }
 
-std::vector<ProbeCandidate> probe_candidates(const Model& model, const TimeScales& scales, double wanted,
-                                             std::string_view only) {
+std::vector<ProbeCandidate> probe_candidates(const Model& model, const State& start, const TimeScales& scales,
+                                             double wanted, std::string_view only) {
   // `verlet` is xpbd without stiffness: worth a run as its second opinion where no method solves links
   // directly.
-  constexpr std::array<std::string_view, 6> worth_trying{"xpbd",   "shake",  "rattle",
+  constexpr std::array<std::string_view, 7> worth_trying{"xpbd",   "shake",  "rattle",         "dop853",
                                                          "newton", "verlet", "spring-explicit"};
+  const double size = scene_size(model, start);
   const bool impacts = !model.contacts.empty() || !model.limits.empty();
   // To bring a large net's system into order alone takes longer than all runs may.
   const bool large_net = model.links.size() > most_links_of_net && model.links.size() > model.masses.size();
@@ -127,10 +134,13 @@ std::vector<ProbeCandidate> probe_candidates(const Model& model, const TimeScale
   const auto add = [&](std::string_view name) {
     const Method& method = *find_method(name);
     if (!capability_problems(model, method).empty()) return;
+    if (method.can.chooses_steps && only.empty() &&
+        !refusals(model, start, complete_settings({std::string(name), {}})).empty())
+      return;
     if (large_net && only.empty() && method.prices.factor > 0.0) return;
-    candidates.push_back(candidate(model, method, 1.0, scales, wanted));
+    candidates.push_back(candidate(model, method, 1.0, scales, wanted, size));
     if (find_param(method, "passes") != nullptr && impacts)
-      candidates.push_back(candidate(model, method, 4.0, scales, wanted));
+      candidates.push_back(candidate(model, method, 4.0, scales, wanted, size));
   };
   if (!only.empty()) {
     complete_settings({std::string(only), {}});  // complains of a name that is none
@@ -146,19 +156,20 @@ std::vector<ProbeCandidate> probe_candidates(const Model& model, const TimeScale
   return candidates;
 }
 
-Settings ProbeLadder::settings_at(double rate) const {
+Settings ProbeLadder::settings_at(const Model& model, double rate) const {
   Settings settings = candidate_.settings;
-  settings.values["steps_per_second"] = rate;
+  set_pace(model, settings, rate);
   return settings;
 }
 
-bool ProbeLadder::plans(const Settings& settings) const {
-  return settings_at(settings.steps_per_second()).values == settings.values &&
-         settings.method == candidate_.settings.method;
+bool ProbeLadder::plans(const Model& model, const Settings& settings) const {
+  if (settings.method != candidate_.settings.method) return false;
+  return settings.chooses_steps() ||
+         settings_at(model, settings.steps_per_second()).values == settings.values;
 }
 
 double ProbeLadder::work_of(const Model& model, double rate, double seconds) const {
-  return predicted_seconds(model, settings_at(rate), seconds);
+  return predicted_seconds(model, settings_at(model, rate), seconds);
 }
 
 double ProbeLadder::next_work(const ProbeScene& scene) const {
@@ -172,7 +183,7 @@ std::optional<Probe> ProbeLadder::made(const ProbeScene& scene, double most_seco
   probe.rate = rate_;
   last_work_ = 0.0;
   try {
-    Run run(scene.model, scene.start, settings_at(rate_), chart_policy);
+    Run run(scene.model, scene.start, settings_at(scene.model, rate_), chart_policy);
     const auto work = [&] {
       return predicted_seconds(scene.model, method, run.report().counts, static_cast<double>(run.steps()));
     };
@@ -230,16 +241,16 @@ void ProbeLadder::begin_again() {
   probes_.clear();
 }
 
-std::string ProbeLadder::account() const {
-  std::string text = settings_text(candidate_.settings);
-  text = fmt::format("{}: by rule {} steps/s", text.substr(0, text.find(" at ")), candidate_.rule_rate);
+std::string ProbeLadder::account(const Model& model) const {
+  const auto pace = [&](double rate) { return pace_text(settings_at(model, rate)); };
+  std::string text = fmt::format("{}: by rule {}", candidate_.settings.method, pace(candidate_.rule_rate));
   if (candidate_.settings.values.contains("passes"))
     text += fmt::format(" with passes = {}", candidate_.settings.number("passes"));
   if (runs_ == 0) return text + "; not run, it would cost more than the others";
   text += fmt::format("; {} short {}", runs_, runs_ == 1 ? "run" : "runs");
   if (failed_ > 0) text += fmt::format(", {} of them failed", failed_);
   if (const Probe* last = finest_judged(); last != nullptr && !last->errors.empty())
-    text += fmt::format("; at {} steps/s estimated {:.2g} off", last->rate, last->errors.back());
+    text += fmt::format("; {} estimated {:.2g} off", pace(last->rate), last->errors.back());
   return text;
 }
 

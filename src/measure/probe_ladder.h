@@ -35,21 +35,21 @@ struct ProbeSample {
 // How far two samples of the same time are apart, by the scene's kind of error.
 double distance(const ProbeScene& scene, const ProbeSample& a, const ProbeSample& b);
 
-// A way to run a scene that is worth trying, and where on its ladder to begin.
+// A way to run a scene that is worth trying, and where on its ladder to begin. Its rates are paces (pace.h).
 struct ProbeCandidate {
   Settings settings;                           // complete
   int order = 1;                               // with which errors fall with the step
-  double first_rate = 60.0, rule_rate = 60.0;  // steps per second: where to begin, and what the rule says
+  double first_rate = 60.0, rule_rate = 60.0;  // pace: where to begin, and what the rule says
 };
 
 // All that can do the scene, the method first that would be taken without any runs. Throws BadRequest where
 // there is none.
-std::vector<ProbeCandidate> probe_candidates(const Model& model, const TimeScales& scales, double wanted,
-                                             std::string_view only);
+std::vector<ProbeCandidate> probe_candidates(const Model& model, const State& start, const TimeScales& scales,
+                                             double wanted, std::string_view only);
 
 // A run, and what the next finer one tells about it.
 struct Probe {
-  double rate = 0.0;                 // steps per second
+  double rate = 0.0;                 // pace
   double work = 0.0;                 // s, predicted
   std::vector<ProbeSample> samples;  // as many as were reached
   std::vector<double> distances;     // from the finer run, the largest up to each time that both have reached
@@ -62,9 +62,9 @@ class ProbeLadder {
       : candidate_(std::move(candidate)), rate_(candidate_.first_rate) {}
 
   const ProbeCandidate& candidate() const { return candidate_; }
-  Settings settings_at(double rate) const;
+  Settings settings_at(const Model& model, double rate) const;
   // Whether settings are of this ladder.
-  bool plans(const Settings& settings) const;
+  bool plans(const Model& model, const Settings& settings) const;
   // Predicted seconds of so many seconds of the scene, before anything has run.
   double work_of(const Model& model, double rate, double seconds) const;
 
@@ -82,7 +82,7 @@ class ProbeLadder {
   const std::vector<Probe>& probes() const { return probes_; }
   const Probe* finest_judged() const { return probes_.empty() ? nullptr : &probes_.back(); }
   // What came of it, for people.
-  std::string account() const;
+  std::string account(const Model& model) const;
 
  private:
   std::optional<Probe> made(const ProbeScene& scene, double most_seconds, const StopTest& stop);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/failure.h"
+#include "measure/pace.h"
 #include "methods/registry.h"
 #include "model/measures.h"
 #include "probe_ladder.h"
@@ -45,7 +46,7 @@ class QuickSearch {
         scales_(time_scales(model, start, duration)),
         budget_(most_seconds.value_or(most_probing(model))),
         stop_(stop) {
-    for (ProbeCandidate& candidate : probe_candidates(model, scales_, wanted, only))
+    for (ProbeCandidate& candidate : probe_candidates(model, start, scales_, wanted, only))
       ladders_.emplace_back(std::move(candidate));
     only_one_kind_ = std::ranges::all_of(ladders_, [&](const ProbeLadder& ladder) {
       return alike(method_of(ladder), method_of(ladders_.front()));
@@ -228,7 +229,7 @@ Plan QuickSearch::plan_for(const Settings& settings) const {
 // What a run that was not judged to its end is never coarser than.
 double QuickSearch::floor_rate(const ProbeLadder& ladder) const {
   const Settings usual = complete_settings({ladder.candidate().settings.method, {}});
-  return std::max(usual.steps_per_second(), ladder.candidate().rule_rate);
+  return std::max(pace_of(scene_.model, usual), ladder.candidate().rule_rate);
 }
 
 // The runs tell how errors fall with the step, but none that is fine enough was cheap enough to be judged.
@@ -248,7 +249,7 @@ std::optional<Plan> QuickSearch::extrapolated() const {
     const auto kept =
         std::ranges::find_if(errors, [&](double error) { return error > wanted_; }) - errors.begin();
     const auto last = was_made ? errors.size() : static_cast<std::size_t>(kept);
-    Plan plan = plan_for(ladder.settings_at(finest->rate * refinement));
+    Plan plan = plan_for(ladder.settings_at(scene_.model, finest->rate * refinement));
     if (last > 0) {
       plan.estimated_error = errors[last - 1] / (was_made ? std::exp2(order) : 1.0);
       plan.judged_until = scene_.times[last - 1];
@@ -283,12 +284,12 @@ std::vector<std::string> QuickSearch::reasons() const {
   scale(scales_.spring, "the stiffest springs allow explicit steps of 2/ω");
   scale(scales_.motion, "pins or masses at the start pass a link in");
   scale(scales_.impact, "what hits moves by its own size in");
-  for (const ProbeLadder& ladder : ladders_) lines.push_back(ladder.account());
+  for (const ProbeLadder& ladder : ladders_) lines.push_back(ladder.account(scene_.model));
   return lines;
 }
 
 Plan QuickSearch::cheapest_plan(const Choice& good) const {
-  Plan plan = plan_for(good.ladder->settings_at(good.probe->rate));
+  Plan plan = plan_for(good.ladder->settings_at(scene_.model, good.probe->rate));
   plan.estimated_error = errors_of(*good.ladder, *good.probe).back();
   plan.judged_until = scene_.times.back();
   plan.predicted_seconds = good.probe->work * duration_ / plan.judged_until;
@@ -303,7 +304,7 @@ Plan QuickSearch::longest_plan(const std::vector<Choice>& all) const {
   const auto best = std::ranges::max_element(all, [](const Choice& a, const Choice& b) {
     return a.good != b.good ? a.good < b.good : a.probe->work > b.probe->work;
   });
-  Plan plan = plan_for(best->ladder->settings_at(2.0 * best->probe->rate));
+  Plan plan = plan_for(best->ladder->settings_at(scene_.model, 2.0 * best->probe->rate));
   plan.estimated_error = errors_of(*best->ladder, *best->probe)[best->good - 1];
   plan.judged_until = scene_.times[best->good - 1];
   plan.predicted_seconds = 2.0 * best->probe->work * duration_ / scene_.times.back();
@@ -315,7 +316,7 @@ Plan QuickSearch::longest_plan(const std::vector<Choice>& all) const {
 Plan QuickSearch::plan_by_rule() const {
   const ProbeLadder& first = ladders_.front();
   const double rate = std::max(floor_rate(first), first.finest_rate());
-  Plan plan = plan_for(first.settings_at(rate));
+  Plan plan = plan_for(first.settings_at(scene_.model, rate));
   plan.predicted_seconds = first.work_of(scene_.model, rate, duration_);
   plan.why = fmt::format("by rule, because {} short runs with {} agree on nothing", runs_, methods_tried());
   return plan;
@@ -332,9 +333,9 @@ Plan QuickSearch::plan() const {
   Plan plan = best_plan();
   plan.reached = plan.estimated_error && *plan.estimated_error <= wanted_;
   for (const ProbeLadder& ladder : ladders_) {
-    const double rate = plan.settings.steps_per_second(), least = floor_rate(ladder);
-    if (plan.judged_to_the_end() || !ladder.plans(plan.settings) || rate >= least) continue;
-    plan.settings = ladder.settings_at(least);
+    const double rate = pace_of(scene_.model, plan.settings), least = floor_rate(ladder);
+    if (plan.judged_to_the_end() || !ladder.plans(scene_.model, plan.settings) || rate >= least) continue;
+    plan.settings = ladder.settings_at(scene_.model, least);
     plan.predicted_seconds *= least / rate;
     plan.why += ", but with no coarser step than usual, as the run could not be judged to its end";
   }

@@ -24,6 +24,7 @@ JudgedRun judge_run(const Model& model, const State& start, const Truth& truth, 
   try {
     const SampledRun run = sampled_run(model, start, settings, truth.times, chart_policy, stop);
     judged.counts = run.report.counts;
+    judged.steps = run.report.steps;
     judged.diverged = run.failed();
     if (judged.diverged)
       judged.trouble = fmt::format("diverged at {:.3g} s", run.reached);
@@ -71,7 +72,7 @@ void GridWalk::record(const JudgedRun& run) {
   row.next = current_.fineness + 1;
   if (run.diverged) return;
   const Judged judged{run.errors, predicted_seconds(model_, curves_[current_.curve].settings.method,
-                                                    run.counts, steps_at(current_))};
+                                                    run.counts, static_cast<double>(run.steps))};
   row.last_work = judged.work;
   row.dominated = is_dominated(walk, judged) ? row.dominated + 1 : 0;
   row.stale = improve(row.best, run.errors) ? 0 : row.stale + 1;
@@ -87,12 +88,6 @@ void GridWalk::end_rows(CurveWalk& walk, std::size_t row) const {
     if (walk.rows[later].next == 0) walk.rows[later].end = RowEnd::off_front;
 }
 
-// Steps over the horizon.
-double GridWalk::steps_at(const GridPoint& point) const {
-  return truth_.horizon() *
-         settings_at_place(curves_[point.curve], point.fineness, point.row).steps_per_second();
-}
-
 // Twice the row's last point, or counted from nothing where there is none: direct solves take about three
 // rounds.
 double GridWalk::predicted_work(const GridPoint& point) const {
@@ -100,8 +95,10 @@ double GridWalk::predicted_work(const GridPoint& point) const {
   if (row.last_work < infinity) return 2.0 * row.last_work;
   constexpr std::int64_t rounds_of_direct_solves = 3;
   const MethodVariant& curve = curves_[point.curve];
+  const Settings settings = settings_at_place(curve, point.fineness, point.row);
+  if (settings.chooses_steps()) return predicted_seconds(model_, settings, truth_.horizon());
   return predicted_seconds(
-      model_, curve.settings.method, steps_at(point),
+      model_, settings.method, truth_.horizon() * settings.steps_per_second(),
       curve.passes ? static_cast<std::int64_t>(curve.passes->value(point.row)) : rounds_of_direct_solves);
 }
 

@@ -79,7 +79,7 @@ Method dop853_method() {
           "Hairer, Nørsett and Wanner, Solving Ordinary Differential Equations I (1993)",
           dop853_params,
           can,
-          {10.0, 15.0, 0.1},
+          {20.0, 15.0, 0.05, 1500.0},
           make_dop853,
           dop853_refusal};
 }

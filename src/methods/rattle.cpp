@@ -68,9 +68,7 @@ class RattleStepper final : public SwappingStepper {
 
  private:
   void links_changed(const State& state) override {
-    std::vector<Index> rigid;
-    for (const Index link : solvable_links(model_))
-      if (model_.links.rigid(link) && !state.broken(link)) rigid.push_back(link);
+    const std::vector<Index> rigid = whole_rigid_links(model_, state);
     system_ = make_link_system(model_, rigid);
     no_compliance_.assign(rigid.size(), 0.0);
     along_.resize(rigid.size());

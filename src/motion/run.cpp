@@ -12,6 +12,7 @@
 #include "methods/breaking.h"
 #include "methods/registry.h"
 #include "model/parts.h"
+#include "stops.h"
 
 namespace taut {
 namespace {
@@ -19,6 +20,8 @@ namespace {
 constexpr std::int64_t steps_between_looks = 16;
 constexpr double least_part = 1e-4;  // of a step, that is worth one of its own
 constexpr int most_cuts = 32;        // of a step; what breaks beyond that does so at its end
+// How near to a stop a cut comes, as a share of the step, and how much of the way there it makes at once.
+constexpr double nearest_to_stop = 1e-11, cautious = 0.999;
 
 const Method& willing_method(const Model& model, const State& start, const Settings& settings) {
   const std::vector<std::string> problems = refusals(model, start, settings);
@@ -67,6 +70,8 @@ Run::Run(const Model& model, const State& start, const Settings& settings, const
   // Without rigid links there is nothing that a shorter step would solve better.
   if (policy.watch_energy && method_.can.takes_steps_back && has_rigid_links(model))
     guard_ = std::make_unique<EnergyGuard>(model, start);
+  cuts_at_stops_ = policy.cut_at_stops && method_.can.tension_order >= 2 && method_.can.takes_steps_back;
+  if (cuts_at_stops_) touched_ = touched_stops(model, saved.state);
   stepper_->load(saved.state);
   stepper_->watch(ledger_.watched());
 }
@@ -130,6 +135,12 @@ StepReport Run::guarded_step(double h, double end_time, int halvings) {
     if (method_.can.tension_order >= 2 && cuts_left_ > 0 && !model_.breakable_links.empty() &&
         !links_over_threshold(model_, method_.can, state()).empty())
       return cut_step(h, end_time, halvings, report);
+    if (cuts_at_stops_) {
+      const std::vector<bool> touched = touched_stops(model_, state());
+      if (cuts_left_ > 0 && meets_more(touched, touched_))
+        return stopped_step(h, end_time, halvings, report, touched);
+      touched_ = touched;
+    }
     if (ledger_.keeps_anything()) ledger_.record(stepper_->glimpse());
     return report;
   }
@@ -171,6 +182,45 @@ StepReport Run::cut_step(double h, double end_time, int halvings, StepReport rep
   if (report.status == StepStatus::done) {
     break_links(first.links, report);
     if (rest > 0.0) report.add(guarded_step(rest, end_time, halvings));
+  }
+  if (report.status != StepStatus::done) {
+    stepper_->load(start);
+    ledger_ = ledger;
+  }
+  return report;
+}
+
+// The step just made, which touches more stops than before, made again as far as just before the first of
+// them, and then the rest of it, with the stop there from its start: so the impulse comes at its moment. That
+// moment is found from before, by what the angle's rate says, and by halving what goes too far.
+StepReport Run::stopped_step(double h, double end_time, int halvings, StepReport report,
+                             const std::vector<bool>& touched) {
+  --cuts_left_;
+  stepper_->undo();
+  const State start = stepper_->store();
+  const WorkLedger ledger = ledger_;
+  const auto make = [&](double part) {
+    stepper_->load(start);
+    if (part > 0.0) report.add(stepper_->step(part, end_time - (h - part)));
+    return report.status == StepStatus::done;
+  };
+  State last = start;
+  double before = 0.0, behind = h;
+  while (behind - before > nearest_to_stop * h) {
+    const double way = time_to_stop(model_, last, touched_);
+    double part = before + cautious * way;
+    if (!(part > before && part < behind)) part = 0.5 * (before + behind);
+    if (way < nearest_to_stop * h || !make(part)) break;
+    if (meets_more(touched_stops(model_, state()), touched_)) {
+      behind = part;
+    } else {
+      before = part;
+      last = state();
+    }
+  }
+  if (report.status == StepStatus::done && make(before)) {
+    touched_ = touched;
+    report.add(guarded_step(h - before, end_time, halvings));
   }
   if (report.status != StepStatus::done) {
     stepper_->load(start);

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "methods/acceleration.h"
+#include "methods/projected_velocities.h"
 
 namespace taut {
 

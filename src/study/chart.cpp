@@ -74,19 +74,18 @@ std::string inputs_of(const Scene& scene, const ChartRequest& request) {
 }
 
 std::string key_of(const MethodVariant& curve, const GridPoint& point) {
-  const double rate = curve.finer.value(point.fineness);
-  return curve.passes
-             ? fmt::format("{}, {} steps/s, {} passes", curve.name, rate, curve.passes->value(point.row))
-             : fmt::format("{}, {} steps/s", curve.name, rate);
+  std::string key =
+      fmt::format("{}, {} {}", curve.name, curve.finer.param, curve.finer.value(point.fineness));
+  if (curve.passes) key += fmt::format(", {} passes", curve.passes->value(point.row));
+  return key;
 }
 
 ChartCase run_case(const Scene& scene, const Truth& truth, const Settings& settings, double budget) {
   ChartCase done;
   done.settings = settings;
   done.run = judge_run(scene.model, scene.start, truth, settings);
-  const auto steps = static_cast<std::int64_t>(std::llround(truth.horizon() * settings.steps_per_second()));
   if (!done.run.diverged)
-    done.times = time_runs(scene.model, scene.start, settings, steps, budget * case_share);
+    done.times = time_runs(scene.model, scene.start, settings, done.run.steps, budget * case_share);
   return done;
 }
 

@@ -67,9 +67,15 @@ FigureCurve curve_of(const Chart& chart, std::size_t place, ErrorKind kind, Cost
   return drawn;
 }
 
+// Steps per second, or a tolerance (m).
+double fineness_of(const ChartCase& done) {
+  return done.settings.number(done.settings.chooses_steps() ? "tolerance" : "steps_per_second");
+}
+
 std::string settings_label(const Chart& chart, const ChartCase& done) {
   const MethodVariant& curve = chart.curves[done.point.curve];
-  std::string label = fmt::format("{} {}/s", curve.name, done.settings.steps_per_second());
+  std::string label = done.settings.chooses_steps() ? fmt::format("{} {:g} m", curve.name, fineness_of(done))
+                                                    : fmt::format("{} {}/s", curve.name, fineness_of(done));
   if (done.point.row > 0) label += fmt::format(" × {}", curve.passes->value(done.point.row));
   return label;
 }
@@ -116,8 +122,7 @@ std::string ranges_of(std::vector<double> rates) {
 std::string diverged_note(const Chart& chart) {
   std::map<std::pair<std::size_t, int>, std::vector<double>> by_row;  // of curve and row of passes
   for (const ChartCase& done : chart.cases)
-    if (done.run.diverged)
-      by_row[{done.point.curve, done.point.row}].push_back(done.settings.steps_per_second());
+    if (done.run.diverged) by_row[{done.point.curve, done.point.row}].push_back(fineness_of(done));
   if (by_row.empty()) return "No run diverged.";
   std::vector<std::string> parts;
   parts.reserve(by_row.size());
@@ -126,7 +131,7 @@ std::string diverged_note(const Chart& chart) {
     parts.push_back(fmt::format("{} {}{}", curve.name, ranges_of(rates),
                                 row.second > 0 ? fmt::format(" × {}", curve.passes->value(row.second)) : ""));
   }
-  return fmt::format("Diverged or refused (steps/s × passes): {}.", fmt::join(parts, "; "));
+  return fmt::format("Diverged or refused (steps/s × passes, or tolerance): {}.", fmt::join(parts, "; "));
 }
 
 // The curves whose finer half of steps brings them hardly nearer to the truth: they do not converge, or not

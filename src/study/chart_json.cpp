@@ -33,6 +33,11 @@ std::string field(std::string_view text) {
   return quoted + "\"";
 }
 
+// A setting that is a number; empty where the method has no such one.
+std::string optional_value(const Settings& settings, std::string_view name) {
+  return settings.values.contains(name) ? fmt::format("{}", settings.number(name)) : "";
+}
+
 std::string optional_number(const std::optional<double>& number) {
   return number ? fmt::format("{}", *number) : "";
 }
@@ -45,6 +50,7 @@ Json case_to_json(const ChartCase& done) {
           {"diverged", done.run.diverged},
           {"trouble", done.run.trouble},
           {"errors", errors_to_json(done.run.errors)},
+          {"steps", done.run.steps},
           {"link_solves", done.run.counts.link_solves},
           {"rounds", done.run.counts.rounds},
           {"factorisations", done.run.counts.factorisations},
@@ -66,6 +72,7 @@ ChartCase case_from_json(const std::string& text, const GridPoint& point) {
   json.at("diverged").get_to(done.run.diverged);
   json.at("trouble").get_to(done.run.trouble);
   done.run.errors = errors_from_json(json.at("errors"));
+  json.at("steps").get_to(done.run.steps);
   json.at("link_solves").get_to(done.run.counts.link_solves);
   json.at("rounds").get_to(done.run.counts.rounds);
   json.at("factorisations").get_to(done.run.counts.factorisations);
@@ -110,16 +117,15 @@ std::string chart_json(const Chart& chart) {
 }
 
 std::string chart_csv(const Chart& chart) {
-  std::string table = "scene,curve,method,steps_per_second,passes,diverged";
+  std::string table = "scene,curve,method,steps_per_second,tolerance,passes,diverged";
   for (const ErrorKind kind : all_error_kinds) table += fmt::format(",{}_error", name_of(kind));
   table += ",link_solves,factorisations,processor_seconds,wall_seconds,runs,trouble\n";
   for (const ChartCase& done : chart.cases) {
-    const auto passes = done.settings.values.find("passes");
-    table += fmt::format(
-        "{},{},{},{},{},{}", field(chart.scene), field(chart.curves[done.point.curve].name),
-        field(done.settings.method), done.settings.steps_per_second(),
-        passes == done.settings.values.end() ? "" : fmt::format("{}", done.settings.number("passes")),
-        done.run.diverged ? 1 : 0);
+    table +=
+        fmt::format("{},{},{},{},{},{},{}", field(chart.scene), field(chart.curves[done.point.curve].name),
+                    field(done.settings.method), optional_value(done.settings, "steps_per_second"),
+                    optional_value(done.settings, "tolerance"), optional_value(done.settings, "passes"),
+                    done.run.diverged ? 1 : 0);
     for (const ErrorKind kind : all_error_kinds) table += "," + optional_number(done.run.errors[kind]);
     table += fmt::format(",{},{},", done.run.counts.link_solves, done.run.counts.factorisations);
     if (!done.times.wall.empty())

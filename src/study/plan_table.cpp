@@ -20,14 +20,16 @@ std::optional<double> cheapest(const Scene& scene, const Chart& chart, ErrorKind
   for (const ChartCase& done : chart.cases) {
     if (done.run.diverged || !done.run.errors[kind] || *done.run.errors[kind] > wanted) continue;
     const double work = predicted_seconds(scene.model, done.settings.method, done.run.counts,
-                                          chart.truth.horizon() * done.settings.steps_per_second());
+                                          static_cast<double>(done.run.steps));
     if (!least || work < *least) least = work;
   }
   return least;
 }
 
 std::string short_settings(const Settings& settings) {
-  std::string text = fmt::format("`{}` {}/s", settings.method, settings.steps_per_second());
+  std::string text = settings.chooses_steps()
+                         ? fmt::format("`{}` {:g} m", settings.method, settings.number("tolerance"))
+                         : fmt::format("`{}` {}/s", settings.method, settings.steps_per_second());
   if (const auto passes = settings.values.find("passes"); passes != settings.values.end())
     text += fmt::format(" × {}", settings.number("passes"));
   if (const auto order = settings.values.find("order"); order != settings.values.end())
@@ -53,7 +55,7 @@ std::vector<PlanVerdict> judge_plans(const Scene& scene, const Chart& chart, con
     const JudgedRun run = judge_run(scene.model, scene.start, truth, verdict.plan.settings, stop);
     verdict.error = run.errors[verdict.kind].value_or(infinity);
     verdict.work = predicted_seconds(scene.model, verdict.plan.settings.method, run.counts,
-                                     truth.horizon() * verdict.plan.settings.steps_per_second()) *
+                                     static_cast<double>(run.steps)) *
                    chart.truth.horizon() / truth.horizon();
     if (chart.truth.horizon() > same_horizon * truth.horizon())
       verdict.cheapest_work = cheapest(scene, chart, verdict.kind, wanted);

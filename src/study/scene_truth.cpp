@@ -146,7 +146,7 @@ std::optional<Truth> motion_by_agreement(const Scene& scene, double horizon, dou
 
 Truth summaries_by_agreement(const Scene& scene, double horizon, const TruthRequest& request,
                              const std::string& why) {
-  const Model calm = without_events(scene.model);
+  const Model calm = without_unlocated_events(scene.model, scene.start);
   const std::vector<double> times = instants_until(horizon);
   return agreed_summaries(
       calm, scene.start,
@@ -212,7 +212,7 @@ Truth scene_truth(const Scene& scene, const TruthRequest& request, const std::fi
     if (certified->horizon() < spans.wanted)
       certified->remark = cut_remark(certified->horizon(), spans.wanted,
                                      event ? ending : "beyond that no motion could be certified");
-    if (!event) return *std::move(certified);
+    if (certified->horizon() >= spans.wanted || !has_events(scene.model)) return *std::move(certified);
   }
   const std::optional<Truth> agreed = cached_motion(scene, request, spans, folder);
   if (agreed && (!certified || agreed->horizon() > worth * certified->horizon())) return *agreed;

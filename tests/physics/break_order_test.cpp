@@ -4,7 +4,6 @@
 
 #include "fixtures.h"
 #include "measure/exact.h"
-#include "measure/explicit_integrator.h"
 #include "methods/breaking.h"
 #include "model/measures.h"
 
@@ -100,7 +99,7 @@ TEST_P(BreakOfSecondOrder, ChainByTension) {
   Built built = build_valid(description);
   constexpr double threshold = 15.0, duration = 0.4;
   const auto state_at = [&](double time) {
-    return integrate_explicitly(built.model, built.start, {time}, 1e-13).at(0);
+    return accurately(built.model, built.start, {time}, 1e-13).at(0);
   };
   double low = 0.02, high = duration;
   ASSERT_LT(state_at(low).tension[1], threshold);
@@ -111,7 +110,7 @@ TEST_P(BreakOfSecondOrder, ChainByTension) {
   }
   State broken = state_at(low);
   broken.broken_at[1] = broken.time;
-  const State exact = integrate_explicitly(built.model, broken, {duration + 0.2}, 1e-13).at(0);
+  const State exact = accurately(built.model, broken, {duration + 0.2}, 1e-13).at(0);
   built.model.links.break_tension[1] = threshold;
   built.model.breakable_links = {1};
   const Orders order = orders([&](double rate) -> Errors {

@@ -2,7 +2,6 @@
 
 #include "fixtures.h"
 #include "measure/exact.h"
-#include "measure/explicit_integrator.h"
 #include "model/measures.h"
 
 namespace taut::test {
@@ -128,7 +127,7 @@ TEST_P(MixedConvergence, OnADampedNetInTheWind) {
   description.wind.emplace().velocity = {1.0, 0.0, 4.0};
   description.wind->gust = 0.4;
   const Built built = build_valid(description);
-  const auto reference = integrate_explicitly(built.model, built.start, {0.3}, 1e-11);
+  const auto reference = accurately(built.model, built.start, {0.3}, 1e-11);
   ASSERT_EQ(reference.size(), 1U);
   EXPECT_NEAR(order_of(c, built, 0.3, reference.back()), c.order, c.tolerance);
 }

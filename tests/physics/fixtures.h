@@ -2,13 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "measure/exact.h"
 #include "methods/registry.h"
 #include "model/description.h"
+#include "motion/run.h"
 #include "motion/simulate.h"
 
 namespace taut::test {
@@ -21,21 +24,40 @@ inline Built build_valid(const Description& description) {
   return built;
 }
 
-/// Settings of a method; passes are left out where it has none.
+/// Settings of a method; passes are left out where it has none. For a method that chooses its steps, a
+/// tolerance whose error falls by its order where the rate is doubled: 1e-6 m at 120 steps/s.
 inline Settings settings(std::string method, double steps_per_second, double passes = 0.0) {
+  if (find_method(method)->can.chooses_steps)
+    return {std::move(method),
+            {{"tolerance", std::clamp(1e-6 * std::pow(steps_per_second / 120.0, -8.0), 1e-13, 1e-2)}}};
   Settings settings{std::move(method), {{"steps_per_second", steps_per_second}}};
   if (passes > 0.0 && find_param(*find_method(settings.method), "passes")) settings.values["passes"] = passes;
   return settings;
 }
 
-/// Simulates for a duration that is a whole number of steps; every step must be solved.
+/// Simulates for a duration that is a whole number of steps, if the method has a fixed one; every step must be
+/// solved.
 inline State run(const Built& built, const Settings& settings, double duration) {
   taut::Run run(built.model, built.start, settings);
+  if (run.settings().chooses_steps()) {
+    const std::optional<State> state = run.at(duration);
+    EXPECT_EQ(run.failure(), "");
+    return state.value_or(run.state());
+  }
   const auto steps = std::llround(duration * run.settings().steps_per_second());
   while (run.steps() < steps && run.step()) {
   }
   EXPECT_EQ(run.failure(), "");
   return run.state();
+}
+
+/// The motion at rising times by dop853 within a tolerance (m).
+inline std::vector<State> accurately(const Model& model, const State& start, const std::vector<double>& times,
+                                     double tolerance) {
+  const SampledRun run =
+      sampled_run(model, start, complete_settings({"dop853", {{"tolerance", tolerance}}}), times);
+  EXPECT_EQ(run.failure, "");
+  return run.states;
 }
 
 /// The slope of log(error) over log(step size) by least squares: the observed order of convergence.

@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "fixtures.h"
-#include "methods/acceleration.h"
+#include "methods/projected_velocities.h"
 #include "model/measures.h"
 #include "scenes_of_the_program.h"
 

@@ -3,8 +3,7 @@
 #include "fixtures.h"
 #include "measure/events.h"
 #include "measure/exact.h"
-#include "measure/explicit_integrator.h"
-#include "methods/acceleration.h"
+#include "methods/projected_velocities.h"
 #include "model/measures.h"
 
 namespace taut::test {
@@ -12,7 +11,7 @@ namespace {
 
 TEST(ExplicitIntegrator, PendulumMatchesItsExactMotion) {
   const Built built = build_valid(pendulum());
-  const auto states = integrate_explicitly(built.model, built.start, {0.5, 1.0, 3.0}, 1e-12);
+  const auto states = accurately(built.model, built.start, {0.5, 1.0, 3.0}, 1e-12);
   ASSERT_EQ(states.size(), 3U);
   for (const State& state : states) {
     const double angle = pendulum_angle_below_level(1.0, 9.81, state.time);
@@ -28,7 +27,7 @@ TEST(Reference, ChainOfTwentyLinksIsCertified) {
   ASSERT_TRUE(reference.certified()) << reference.refusal;
   EXPECT_EQ(reference.certified_until, 1.0);
   EXPECT_LE(reference.uncertainty, 1e-7);
-  const auto tighter = integrate_explicitly(built.model, built.start, {1.0}, 1e-13);
+  const auto tighter = accurately(built.model, built.start, {1.0}, 1e-13);
   EXPECT_LT(position_error(reference.states.back(), tighter.back()), 1e-7);
 }
 

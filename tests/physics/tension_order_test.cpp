@@ -8,7 +8,6 @@
 
 #include "fixtures.h"
 #include "measure/exact.h"
-#include "measure/explicit_integrator.h"
 #include "scenes_of_the_program.h"
 
 namespace taut::test {
@@ -90,7 +89,7 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
 
 TEST_P(SecondOrderTension, OfAChainWithEveryForce) {
   const Built built = build_valid(everything(GetParam().order != "4"));
-  const State exact = integrate_explicitly(built.model, built.start, {0.3}, 1e-12).at(0);
+  const State exact = accurately(built.model, built.start, {0.3}, 1e-12).at(0);
   const double order = order_of(rates(1000.0), [&](double rate) {
     return largest_difference(run(built, settings_of(GetParam(), rate), 0.3).tension, exact.tension);
   });
@@ -107,7 +106,7 @@ TEST_P(SecondOrderTension, AfterTheFirstSteps) {
       State state = start;
       simulate(built.model, state, settings_of(GetParam(), rate), count);
       const double exact =
-          integrate_explicitly(built.model, start, {static_cast<double>(count) / rate}, 1e-13)
+          accurately(built.model, start, {static_cast<double>(count) / rate}, 1e-13)
               .at(0)
               .tension[0];
       return std::abs(state.tension[0] - exact);

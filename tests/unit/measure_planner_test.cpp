@@ -111,8 +111,7 @@ INSTANTIATE_TEST_SUITE_P(SmallScenes, PlanTest,
 // By counts: what a plan itself predicts was measured, and so differs from build to build.
 double work_of(const Scene& scene, const Truth& truth, const Settings& settings) {
   const JudgedRun run = judge_run(scene.model, scene.start, truth, settings);
-  return predicted_seconds(scene.model, settings.method, run.counts,
-                           truth.horizon() * settings.steps_per_second());
+  return predicted_seconds(scene.model, settings.method, run.counts, static_cast<double>(run.steps));
 }
 
 // The second time from the folder that plans are kept in: prices are measured, and may decide otherwise.
@@ -164,10 +163,10 @@ TEST(Plan, IsNoMoreThanTwiceAsDearAsAnyRunThatIsGoodEnough) {
   int good = 0;
   for (const MethodVariant& curve : variants_of(scene.model, scene.start).variants)
     for (double rate = 60.0; rate <= 8000.0; rate *= 2.0) {
-      const JudgedRun run = judge_run(scene.model, scene.start, truth, settings_at(curve, rate, 1));
+      const JudgedRun run = judge_run(scene.model, scene.start, truth, settings_at(scene.model, curve, rate, 1));
       if (run.diverged || *run.errors[ErrorKind::trajectory] > well_within) continue;
       ++good;
-      EXPECT_GE(predicted_seconds(scene.model, curve.settings.method, run.counts, rate * scene.duration),
+      EXPECT_GE(predicted_seconds(scene.model, curve.settings.method, run.counts, static_cast<double>(run.steps)),
                 0.5 * work)
           << curve.name << " at " << rate << "; " << plan.why;
     }

@@ -74,7 +74,7 @@ TEST(JudgedRun, OrdersOfConvergenceShow) {
   const Built built = pendulum();
   const Truth truth = pendulum_truth(built);
   const auto error = [&](const MethodVariant& curve, double rate) {
-    return *judge_run(built.model, built.start, truth, settings_at(curve, rate, 1))
+    return *judge_run(built.model, built.start, truth, settings_at(built.model, curve, rate, 1))
                 .errors[ErrorKind::trajectory];
   };
   std::map<std::string, double> orders;

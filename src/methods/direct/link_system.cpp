@@ -37,6 +37,13 @@ auto along(const LinkRow& row, const Vectors& columns, const Vectors& u) {
 
 }  // namespace
 
+std::vector<Index> whole_rigid_links(const Model& model, const State& state) {
+  std::vector<Index> links;
+  for (const Index link : solvable_links(model))
+    if (model.links.rigid(link) && !state.broken(link)) links.push_back(link);
+  return links;
+}
+
 SystemLinks gather(const Model& model, std::span<const Index> links) {
   SystemLinks gathered;
   for (const Index link : links) {

@@ -29,6 +29,9 @@ struct SystemLinks {
   std::size_t size() const { return link.size(); }
 };
 
+/// The rigid links with a free end that are whole in a state.
+std::vector<Index> whole_rigid_links(const Model& model, const State& state);
+
 /// Copies what belongs to the given links out of the model.
 SystemLinks gather(const Model& model, std::span<const Index> links);
 

@@ -18,13 +18,6 @@ constexpr double still = 1e-14;
 // How near a stop is touched (rad), and how slowly it is left at rest (rad/s).
 constexpr double touching = 1e-10, resting = 1e-9;
 
-std::vector<Index> whole_rigid_links(const Model& model, const State& state) {
-  std::vector<Index> links;
-  for (const Index link : solvable_links(model))
-    if (model.links.rigid(link) && !state.broken(link)) links.push_back(link);
-  return links;
-}
-
 double largest(const Vectors& vectors) {
   double size = 0.0;
   for (const auto* axis : {&vectors.x, &vectors.y, &vectors.z})

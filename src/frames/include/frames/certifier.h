@@ -31,11 +31,10 @@ struct Certificate {
 std::string certificate_text(const Certificate& certificate);
 
 /// Runs a scene a second time, by another kind of method and finer, in a thread of its own, beside a first
-/// run whose states it is shown, and measures how far the two are apart. Where nothing can be touched,
-/// reached or broken, the second run is an explicit integration of order 5 at acceleration level, which
-/// shares nothing with any method. A third run, the first one's twin, starts with velocities that are off by
-/// 10⁻⁸ of √(g · size): where that has grown 100,000-fold, the motion is chaotic, and no two runs agree for
-/// long.
+/// run whose states it is shown, and measures how far the two are apart. Where it can do the scene, and the
+/// first run is of another kind, the second is dop853's. A third run, the first one's twin, starts with
+/// velocities that are off by 10⁻⁸ of √(g · size): where that has grown 100,000-fold, the motion is chaotic,
+/// and no two runs agree for long.
 class Certifier {
  public:
   /// Refers to the scene from then on.

@@ -18,7 +18,8 @@ struct Opinion {
   std::string name;  ///< of the curve (curves.h)
   std::size_t method = 0;
   bool relaxes = false;
-  double rate = 0.0;                ///< steps per second of the finer run
+  double rate = 0.0;                ///< steps per second of the finer run, as pace.h has it
+  std::string pace;                 ///< the same for people
   std::vector<State> coarse, fine;  ///< the coarser has half the steps
 };
 

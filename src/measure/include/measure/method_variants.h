@@ -44,8 +44,8 @@ struct MethodVariants {
 MethodVariants variants_of(const Model& model, const State& start,
                            const std::vector<std::string>& methods = {});
 
-/// The variant's settings with a step and, where it relaxes, passes.
-Settings settings_at(const MethodVariant& variant, double steps_per_second, int passes);
+/// The variant's settings at a pace (pace.h) and, where it relaxes, with passes.
+Settings settings_at(const Model& model, const MethodVariant& variant, double steps_per_second, int passes);
 
 /// The variant's settings at places along its axes.
 Settings settings_at_place(const MethodVariant& variant, int fineness, int row);

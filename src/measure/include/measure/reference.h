@@ -20,12 +20,12 @@ struct Reference {
   bool certified() const { return refusal.empty(); }
 };
 
-/// The motion at rising times, certified to `accuracy` (m): an explicit integration of the equations at
-/// acceleration level at two tolerances, and rattle, of order 4 where the scene allows it and else
-/// extrapolated from two steps, must agree within it. Where agreement ends before the last time the later
-/// states are left out, and certified_until says so; so it is where the first event comes (events.h), as
-/// neither resolves any. No run may cost more than `most_seconds` (as predicted_seconds() has it).
-/// Refused, with the reason, where no state can be certified. Throws Interrupted.
+/// The motion at rising times, certified to `accuracy` (m) by two kinds of witness: dop853 at two tolerances,
+/// and rattle, of order 4 where the scene allows it, with ever shorter steps, must agree within it. Both go
+/// on past breaks and stops, whose moments they locate each in its own way. Where agreement ends before the
+/// last time the later states are left out, and certified_until says so; so it is where the first event comes
+/// that neither resolves (events.h). No run may cost more than `most_seconds` (as predicted_seconds() has
+/// it). Refused, with the reason, where no state can be certified. Throws Interrupted.
 Reference make_reference(const Model& model, const State& start, const std::vector<double>& times,
                          double accuracy, double most_seconds = 10.0, const StopTest& stop = {});
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,6 +33,7 @@ struct JudgedRun {
   std::string trouble;  ///< why there are no errors: how it diverged, or why the method refused; empty else
   Errors errors;
   StepReport counts;
+  std::int64_t steps = 0;
 };
 
 /// Runs a scene once, without halving steps, and judges it. Throws Interrupted.
@@ -83,7 +85,6 @@ class GridWalk {
     std::vector<Judged> judged;
   };
 
-  double steps_at(const GridPoint& point) const;
   double predicted_work(const GridPoint& point) const;
   bool is_dominated(const CurveWalk& walk, const Judged& judged) const;
   bool improve(Errors& best, const Errors& errors) const;

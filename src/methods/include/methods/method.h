@@ -94,7 +94,7 @@ struct Settings {
   std::string_view choice(std::string_view name) const;
   /// Of a method that does not choose its steps.
   double steps_per_second() const { return number("steps_per_second"); }
-  bool chooses_steps() const { return values.contains("tolerance"); }
+  bool chooses_steps() const { return !values.contains("steps_per_second"); }
 };
 
 enum class StepStatus {
@@ -168,6 +168,7 @@ struct Prices {
   double step = 10.0;   ///< a link, of every step
   double solve = 10.0;  ///< one of StepReport::link_solves
   double factor = 2.0;  ///< of a factorisation, to be multiplied by rows^1.5
+  double round = 0.0;   ///< one of StepReport::rounds, whatever the model
 };
 
 /// How finely settings make a method run, for people: "at 600 steps/s", or "within 1e-06 m a step".

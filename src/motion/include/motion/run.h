@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/stop.h"
 #include "methods/method.h"
@@ -77,6 +78,8 @@ class Run {
   StepReport guarded_step(double h, double end_time, int halvings);
   void note_halving(double begin, const StepReport& report);
   StepReport cut_step(double h, double end_time, int halvings, StepReport report);
+  StepReport stopped_step(double h, double end_time, int halvings, StepReport report,
+                          const std::vector<bool>& touched);
   void break_links(const std::vector<Index>& links, StepReport& report);
 
   const Model& model_;
@@ -89,9 +92,11 @@ class Run {
   std::unique_ptr<Stepper> stepper_;
   WorkLedger ledger_;
   std::unique_ptr<EnergyGuard> guard_;  // none where nothing is watched
-  std::optional<State> before_;         // the step before the last, where a time in between was asked for
+  bool cuts_at_stops_ = false;
+  std::vector<bool> touched_;    // stops at the end of the last step, where steps are cut at them
+  std::optional<State> before_;  // the step before the last, where a time in between was asked for
   RunReport report_;
-  int cuts_left_ = 0;  // of the present step, at breaks
+  int cuts_left_ = 0;  // of the present step, at breaks and stops
 };
 
 }  // namespace taut

@@ -13,6 +13,10 @@ struct RunPolicy {
   /// Whether a step of such a method fails, too, when it makes energy out of nothing (EnergyGuard). Only
   /// where there are rigid links.
   bool watch_energy = true;
+  /// Whether a step of a method whose tension is of second order is cut where a hard stop on an angle is met
+  /// within it, as it is where a link breaks: the impulse then comes at its moment, and motion beyond it is
+  /// of second order, too.
+  bool cut_at_stops = false;
   /// Energy of motion over what there can be (Run::energy_at_hand()) beyond which the run has diverged.
   double diverged_beyond = divergence;
 };

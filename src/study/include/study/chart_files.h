@@ -11,8 +11,8 @@ namespace taut {
 /// A chart as JSON text: everything, with every raw time.
 std::string chart_json(const Chart& chart);
 
-/// The same as a table, a line a case: curve, method, steps_per_second, passes, errors, link solves, least
-/// times.
+/// The same as a table, a line a case: curve, method, steps_per_second or tolerance, passes, errors, link
+/// solves, least times.
 std::string chart_csv(const Chart& chart);
 
 /// Writes <scene>.json, <scene>.csv and for every kind of error <scene>-<error>.png and .svg (time) and
