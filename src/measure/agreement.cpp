@@ -12,6 +12,7 @@
 #include "measure/work_precision.h"
 #include "model/measures.h"
 #include "model/parts.h"
+#include "motion/run.h"
 #include "motion/simulate.h"
 
 namespace taut {
@@ -38,6 +39,30 @@ Passes passes_for(const Model& model) {
   return impacts ? Passes{64, 16} : Passes{};
 }
 
+// The states at the times; nothing where the run fails, or costs more than so many predicted seconds: how
+// much impacts cost can't be foreseen. What it has cost goes into `work`.
+std::optional<std::vector<State>> states_within(const Model& model, const State& start,
+                                                const Settings& settings, const std::vector<double>& times,
+                                                double most_seconds, const StopTest& stop, double& work) {
+  Run run(model, start, settings, chart_policy);
+  const auto spent = [&] {
+    return work = predicted_seconds(model, settings.method, run.report().counts,
+                                    static_cast<double>(run.steps()));
+  };
+  const StopTest enough = [&] {
+    stop_if_told(stop);
+    return spent() > most_seconds;
+  };
+  std::vector<State> states;
+  for (const double time : times) {
+    const std::optional<State> state = run.at(time, enough);
+    if (!state) return std::nullopt;
+    states.push_back(run.reported(*state));
+  }
+  spent();
+  return states;
+}
+
 std::optional<Opinion> opinion_of(const Model& model, const State& start, const MethodVariant& curve,
                                   const std::vector<double>& times, double most_seconds, double enough,
                                   const StopTest& stop) {
@@ -45,18 +70,18 @@ std::optional<Opinion> opinion_of(const Model& model, const State& start, const 
   const Passes passes = passes_for(model);
   const double horizon = times.back();
   double work = 0.0;
+  constexpr double patience = 4.0;  // what a run may cost beyond what it should
   for (double rate = 120.0; rate <= 1e6 && 2.0 * work <= most_seconds; rate *= 2.0) {
     const Settings settings = settings_at(model, curve, rate, passes.fine);
     if (predicted_seconds(model, curve.settings.method, rate * horizon, curve.relaxes() ? passes.fine : 1) >
         most_seconds)
       break;
     try {
-      SampledRun run = sampled_run(model, start, settings, times, chart_policy, stop);
-      work = predicted_seconds(model, curve.settings.method, run.report.counts,
-                               static_cast<double>(run.report.steps));
-      if (run.failed()) continue;
+      std::optional<std::vector<State>> states =
+          states_within(model, start, settings, times, patience * most_seconds, stop, work);
+      if (!states) continue;
       opinion.coarse = std::move(opinion.fine);
-      opinion.fine = std::move(run.states);
+      opinion.fine = *std::move(states);
       opinion.rate = rate;
       opinion.pace = pace_text(settings);
       if (settled(opinion, model, start, enough)) break;

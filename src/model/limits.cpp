@@ -168,6 +168,11 @@ Overshoot overshoot(const Limit& limit, double angle) {
   return above >= below ? Overshoot{above, 1.0} : Overshoot{below, -1.0};
 }
 
+bool has_stop(const Limit& limit, double sign) {
+  if (limit.kind == LimitKind::hinge) return true;
+  return sign > 0.0 ? limit.max < std::numbers::pi : limit.min > 0.0;
+}
+
 double excess_at(const Limit& limit, double angle, double sign) {
   const double excess = sign > 0.0 ? angle - limit.max : limit.min - angle;
   return limit.kind == LimitKind::hinge ? std::remainder(excess, 2.0 * std::numbers::pi) : excess;

@@ -15,8 +15,9 @@ void visit_stops(const Model& model, const State& state, const Visit& visit) {
   for (std::size_t i = 0; i < model.limits.size(); ++i) {
     if (model.limits[i].compliance > 0.0) continue;
     const double angle = limit_angle(model.limits[i], state.position);
-    visit(2 * i, -touching - excess_at(model.limits[i], angle, 1.0));
-    visit(2 * i + 1, -touching - excess_at(model.limits[i], angle, -1.0));
+    for (const double sign : {1.0, -1.0})
+      if (has_stop(model.limits[i], sign))
+        visit(2 * i + (sign > 0.0 ? 0 : 1), -touching - excess_at(model.limits[i], angle, sign));
   }
 }
 

@@ -15,8 +15,8 @@ namespace {
 constexpr int most_rounds = 8;
 // Velocities along links, and of angles, that count as none: as a share of the masses' speeds.
 constexpr double still = 1e-14;
-// How near a stop is touched (rad), and how slowly it is left at rest (rad/s).
-constexpr double touching = 1e-10, resting = 1e-9;
+// How near a stop is touched (rad).
+constexpr double touching = 1e-10;
 
 double largest(const Vectors& vectors) {
   double size = 0.0;
@@ -200,11 +200,12 @@ bool Equations::answer(const std::vector<LimitRow>& touched, const Wanted& wante
                        const std::vector<double>& links, std::vector<bool>& pushing, Vectors& u) {
   const Vectors given = u;
   pushing.assign(touched.size(), false);
-  double scale = 0.0;
-  const auto measure = [&](const Vectors& of) {
-    for (std::size_t i = 0; i < touched.size(); ++i) scale = std::max(scale, std::abs(wanted(i, of)));
-  };
-  measure(given);
+  // What rounding leaves of the rows: a share of what masses make of them, each for itself.
+  double steepest = 0.0;
+  for (const LimitRow& row : touched)
+    for (std::size_t k = 0; k < model_.limits[row.limit].count; ++k)
+      steepest = std::max(steepest, row.along.gradient[k].norm());
+  const double none = 1e-12 * steepest * largest(given);
   for (std::size_t i = 0; i < touched.size(); ++i) pushing[i] = wanted(i, given) > 0.0;
   const std::size_t most_pivots = 8 * (touched.size() + 1) * (touched.size() + 1);
   for (std::size_t pivot = 0; pivot < most_pivots; ++pivot) {
@@ -218,8 +219,6 @@ bool Equations::answer(const std::vector<LimitRow>& touched, const Wanted& wante
     if (!solve(some, multipliers_)) return false;
     u = given;
     take(some, u);
-    measure(u);
-    const double none = 1e-12 * scale;
     std::size_t wrong = 0, next = 0;
     for (; wrong < touched.size(); ++wrong) {
       const bool is_wrong = pushing[wrong] ? strength_[next++] < 0.0 : wanted(wrong, u) > none;
@@ -231,11 +230,13 @@ bool Equations::answer(const std::vector<LimitRow>& touched, const Wanted& wante
   return false;
 }
 
-bool Equations::settle(double time, const Vectors& position, Vectors& velocity, std::vector<HeldStop>& held) {
+bool Equations::settle(double time, const Vectors& position, double slow, Vectors& velocity,
+                       std::vector<HeldStop>& held) {
   std::vector<HeldStop> near, pressed;
   for (std::size_t i = 0; i < model_.limits.size(); ++i)
     for (const double sign : {1.0, -1.0}) {
       const Limit& limit = model_.limits[i];
+      if (!has_stop(limit, sign)) continue;
       if (!(excess_at(limit, limit_angle(limit, position), sign) > -touching)) continue;
       (limit.compliance > 0.0 ? pressed : near).push_back({static_cast<Index>(i), sign});
     }
@@ -262,7 +263,7 @@ bool Equations::settle(double time, const Vectors& position, Vectors& velocity, 
 
   std::vector<HeldStop> at_rest;
   for (std::size_t i = 0; i < near.size(); ++i)
-    if (speed(i, velocity) > -resting) at_rest.push_back(near[i]);
+    if (speed(i, velocity) > -slow) at_rest.push_back(near[i]);
   rows = hard_rows(at_rest, position);
   std::vector<double> curved;
   for (const HeldStop& stop : at_rest)
@@ -280,7 +281,8 @@ bool Equations::settle(double time, const Vectors& position, Vectors& velocity, 
   for (std::size_t i = 0; i < at_rest.size(); ++i)
     if (pushing[i]) held.push_back(at_rest[i]);
   hold(held);
-  return true;
+  factored_ = true;  // for these positions
+  return project_velocities(position, velocity);
 }
 
 Index redundant_link(const Model& model, const State& state) {

@@ -42,8 +42,10 @@ class Equations {
 
   /// Which stops are held: of those that are touched at these positions, velocities first lose what goes into
   /// a hard one (a plastic impulse, spread over all links and stops at once), and then those are held that
-  /// push, and soft ones that are pressed. Calls hold() with them. False where no such set is found.
-  bool settle(double time, const Vectors& position, Vectors& velocity, std::vector<HeldStop>& held);
+  /// push, and soft ones that are pressed. Those that leave with less than `slow` (rad/s) count as at rest.
+  /// Calls hold() with them. False where no such set is found.
+  bool settle(double time, const Vectors& position, double slow, Vectors& velocity,
+              std::vector<HeldStop>& held);
 
   Index worst_link() const { return worst_link_; }
   std::size_t rows() const { return system_.links.size(); }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "model/parts.h"
+
 namespace taut {
 namespace {
 
@@ -9,8 +11,17 @@ constexpr double at_once = 1e-9;  // of a threshold: links so near to it break t
 // How far beyond its end an angle is where its stop counts as met, and how far inside where a soft one counts
 // as left (rad): more than rounding, far less than anyone can tell.
 constexpr double met = 1e-12;
+// What a held stop may pull with before it is left, as a share of the torque of all weight at a link's end:
+// what rounding leaves of a stop that pushes with nothing.
+constexpr double no_pull = 1e-12;
 
 }  // namespace
+
+EventWatch::EventWatch(const Model& model)
+    : model_(model),
+      slack_(no_pull * free_mass(model) * std::max(1.0, model.gravity.norm()) *
+             std::max(1.0, total_link_length(model)) /
+             std::max<double>(1.0, static_cast<double>(model.links.size()))) {}
 
 void EventWatch::begin(const State& state) {
   links_.clear();
@@ -31,6 +42,7 @@ double EventWatch::past_limit(const Vectors& position, std::size_t index) const 
   const double angle = limit_angle(limit, position);
   double past = -infinity;
   for (const double sign : {1.0, -1.0}) {
+    if (!has_stop(limit, sign)) continue;
     const bool held = std::ranges::find(held_, HeldStop{static_cast<Index>(index), sign}) != held_.end();
     const double excess = excess_at(limit, angle, sign);
     if (!held)
@@ -46,7 +58,7 @@ double EventWatch::past(const Vectors& position, const Equations& equations) {
   if (!links_.empty()) equations.write_tensions(tension_);
   for (const Index link : links_) past = std::max(past, past_break(position, link));
   for (std::size_t i = 0; i < model_.limits.size(); ++i) past = std::max(past, past_limit(position, i));
-  for (const double push : equations.pushes()) past = std::max(past, -push);
+  for (const double push : equations.pushes()) past = std::max(past, -push - slack_);
   return past;
 }
 

@@ -12,7 +12,7 @@ namespace taut {
 /// or left.
 class EventWatch {
  public:
-  explicit EventWatch(const Model& model) : model_(model) {}
+  explicit EventWatch(const Model& model);
 
   /// What is whole and held from now on.
   void begin(const State& state);
@@ -32,6 +32,7 @@ class EventWatch {
   double past_limit(const Vectors& position, std::size_t limit) const;
 
   const Model& model_;
+  double slack_;              // N m
   std::vector<Index> links_;  // that are whole and can break
   std::vector<HeldStop> held_;
   std::vector<double> tension_;

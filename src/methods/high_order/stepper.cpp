@@ -15,9 +15,12 @@ constexpr double longest_step = 1.0;      // s
 constexpr double shortest_step = 1e-13;   // s
 constexpr double velocity_weight = 10.0;  // 1/s: the tolerance of velocities over that of positions
 constexpr double safety = 0.9, least_factor = 1.0 / 3.0, most_factor = 6.0;
-constexpr int looks_between = 8;   // parts of a step whose ends are looked at for events
-constexpr int most_crowded = 100;  // events
-constexpr double crowd = 1e-9;     // s
+constexpr int looks_between = 8;  // parts of a step whose ends are looked at for events
+// Two stops that push each other open may be met and left ever faster. Where events of stops crowd together
+// like that, what leaves slowly is held at rest; where that does not end it, the step fails.
+constexpr double crowd = 1e-5;                         // s between two events
+constexpr int a_crowd = 6, most_crowded = 60;          // events
+constexpr double slow = 1e-9, slow_in_a_crowd = 1e-3;  // rad/s
 // A step that is cut short at an event has less of an error than the whole of it, but its estimate may be a
 // little larger.
 constexpr double error_at_events = 4.0;
@@ -78,7 +81,7 @@ bool HighOrderStepper::begin(StepReport& report) {
       report.worst_link = equations_->worst_link();
       return false;
     }
-    if (!equations_->settle(state_.time, state_.position, state_.velocity, state_.own_steps.held)) {
+    if (!equations_->settle(state_.time, state_.position, slow, state_.velocity, state_.own_steps.held)) {
       report.status = StepStatus::not_converged;
       return false;
     }
@@ -203,6 +206,7 @@ StepReport HighOrderStepper::step(double h, double end_time) {
   if (past_ > 0.0) {
     breaking_ = watch_.breaking(state_.position, *equations_);
     if (!breaking_.empty()) return report;  // at once
+    past_ = 0.0;                            // a stop that was just left
   }
   goal_ = end_time;
   longest_ = h;
@@ -309,7 +313,7 @@ double HighOrderStepper::step_to_event(Bracket bracket, double h, StepReport& re
   if (report.status != StepStatus::done || !(past_high > 0.0)) return at;
   double past_low = low > 0.0 ? past_after(low) : past_;
   if (report.status != StepStatus::done) return at;
-  if (past_low > 0.0) {
+  if (low > 0.0 && past_low > 0.0) {
     high = low;
     past_high = past_low;
     low = 0.0;
@@ -366,7 +370,8 @@ bool HighOrderStepper::pass_event(StepReport& report) {
     report.status = StepStatus::chattering;
     return false;
   }
-  if (!equations_->settle(state_.time, state_.position, state_.velocity, state_.own_steps.held)) {
+  if (!equations_->settle(state_.time, state_.position, crowded_ < a_crowd ? slow : slow_in_a_crowd,
+                          state_.velocity, state_.own_steps.held)) {
     report.status = StepStatus::not_converged;
     return false;
   }
