@@ -47,6 +47,8 @@ std::string_view name_of(Keeping keeping) {
       return "kept";
     case Keeping::lost_with_step:
       return "lost_with_step";
+    case Keeping::within_tolerance:
+      return "within_tolerance";
     case Keeping::not_kept:
       break;
   }
@@ -65,6 +67,7 @@ Json method_to_json(const Method& method) {
             {"rigid", method.can.rigid},
             {"ground", method.can.ground},
             {"limits", method.can.limits},
+            {"joints", method.can.joints},
             {"colliders", method.can.colliders},
             {"drag", method.can.drag},
             {"break_stretch", method.can.break_stretch},

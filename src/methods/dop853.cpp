@@ -40,8 +40,6 @@ std::string link_name(const Model& model, Index link) {
 }
 
 std::string dop853_refusal(const Model& model, const State& start, const Settings& settings) {
-  if (!model.joints.empty())
-    return "method dop853 has no damping or friction of joints; rattle, newton and xpbd have";
   double farthest = 0.0;
   for (std::size_t i = 0; i < start.position.size(); ++i)
     farthest = std::max(farthest, start.position.at(i).lpNorm<Eigen::Infinity>());
@@ -49,12 +47,6 @@ std::string dop853_refusal(const Model& model, const State& start, const Setting
   if (settings.number("tolerance") < least)
     return fmt::format("positions of up to {:.3g} m can't be told apart within a tolerance below {:.1e} m",
                        farthest, least);
-  for (const Limit& limit : model.limits)
-    if (limit.compliance == 0.0 && overshoot(limit, limit_angle(limit, start.position)).size > 1e-9)
-      return fmt::format(
-          "the angle at {} starts {:.3g}° beyond its hard stop, where method dop853 has no motion",
-          model.masses.name[limit.masses[1]],
-          overshoot(limit, limit_angle(limit, start.position)).size * 180.0 / std::numbers::pi);
   if (const Index link = redundant_link(model, start); link != no_link)
     return fmt::format(
         "the link {} says nothing that other rigid links do not say already: its tension is not to be known, "
@@ -74,6 +66,7 @@ Method dop853_method() {
   can.break_tension = true;
   can.tension_order = 2;
   can.chooses_steps = true;
+  can.keeps.energy = Keeping::within_tolerance;
   return {"dop853",
           "order 8 with step control: the accurate end, and the exact moment of breaks and stops",
           "Hairer, Nørsett and Wanner, Solving Ordinary Differential Equations I (1993)",

@@ -24,6 +24,8 @@ std::string conservation_text(const Conservation& keeps) {
         return "kept to rounding";
       case Keeping::lost_with_step:
         return "lost in proportion to the step";
+      case Keeping::within_tolerance:
+        return "kept within the tolerance";
       case Keeping::not_kept:
         break;
     }

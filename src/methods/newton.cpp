@@ -85,6 +85,7 @@ Method newton_method() {
   can.keeps = {Keeping::kept, Keeping::lost_with_step, Keeping::lost_with_step};
   can.stiffness = true;
   can.limits = true;
+  can.joints = true;
   can.break_stretch = true;
   can.break_tension = true;
   return {"newton",

@@ -317,6 +317,7 @@ Method rattle_method() {
   can.takes_steps_back = true;
   can.stiffness = true;
   can.limits = true;
+  can.joints = true;
   can.break_stretch = true;
   can.break_tension = true;
   can.tension_order = 2;

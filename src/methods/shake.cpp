@@ -190,6 +190,7 @@ Method shake_method() {
   can.limit = StepLimit::sideways_vibration;
   can.stiffness = true;
   can.limits = true;
+  can.joints = true;
   can.break_stretch = true;
   can.break_tension = true;
   can.tension_order = 2;

@@ -175,7 +175,11 @@ bool has_stop(const Limit& limit, double sign) {
 
 double excess_at(const Limit& limit, double angle, double sign) {
   const double excess = sign > 0.0 ? angle - limit.max : limit.min - angle;
-  return limit.kind == LimitKind::hinge ? std::remainder(excess, 2.0 * std::numbers::pi) : excess;
+  if (limit.kind != LimitKind::hinge) return excess;
+  // What is outside the range belongs to either end by half.
+  constexpr double circle = 2.0 * std::numbers::pi;
+  const double turned = std::remainder(excess, circle), outside = circle - (limit.max - limit.min);
+  return turned > 0.5 * outside ? turned - circle : turned;
 }
 
 }  // namespace taut

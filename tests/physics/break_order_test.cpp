@@ -124,7 +124,7 @@ TEST_P(BreakOfSecondOrder, ChainByTension) {
 
 INSTANTIATE_TEST_SUITE_P(Registry, BreakOfSecondOrder,
                          ::testing::ValuesIn(methods_that([](const Capabilities& can) {
-                           return can.rigid && can.stiffness && can.tension_order >= 2;
+                           return can.rigid && can.stiffness && can.tension_order >= 2 && !can.chooses_steps;
                          })),
                          case_name);
 

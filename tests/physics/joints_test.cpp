@@ -147,7 +147,7 @@ TEST_P(JointMethods, AShareOfOneHoldsArmsOutLevel) {
 
 INSTANTIATE_TEST_SUITE_P(
     Registry, JointMethods,
-    ::testing::ValuesIn(methods_that([](const Capabilities& can) { return can.limits; })), case_name);
+    ::testing::ValuesIn(methods_that([](const Capabilities& can) { return can.joints; })), case_name);
 
 }  // namespace
 }  // namespace taut::test

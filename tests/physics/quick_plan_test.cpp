@@ -35,9 +35,8 @@ Truth truth_of(const Scene& scene, const std::filesystem::path& folder) {
   return scene_truth(scene, request, folder);
 }
 
-double work_of(const Scene& scene, const Truth& truth, const Settings& settings, const JudgedRun& run) {
-  return predicted_seconds(scene.model, settings.method, run.counts,
-                           truth.horizon() * settings.steps_per_second());
+double work_of(const Scene& scene, const Settings& settings, const JudgedRun& run) {
+  return predicted_seconds(scene.model, settings.method, run.counts, static_cast<double>(run.steps));
 }
 
 // The cheapest point of the charts' grid that is good enough.
@@ -50,7 +49,7 @@ double cheapest(const Scene& scene, const Truth& truth, double target) {
     const JudgedRun run = judge_run(scene.model, scene.start, truth, settings);
     walk.record(run);
     if (run.diverged || !(*run.errors[ErrorKind::trajectory] <= target)) continue;
-    least = std::min(least, work_of(scene, truth, settings, run));
+    least = std::min(least, work_of(scene, settings, run));
     walk.forbid_above(least);
   }
   return least;
@@ -78,7 +77,7 @@ void judge_plan(const std::string& name, const Scene& scene, const std::filesyst
   }
   const JudgedRun run = judge_run(scene.model, scene.start, truth, plan.settings);
   const double error = run.errors[ErrorKind::trajectory].value_or(infinity);
-  const double least = cheapest(scene, truth, wanted), work = work_of(scene, truth, plan.settings, run);
+  const double least = cheapest(scene, truth, wanted), work = work_of(scene, plan.settings, run);
   const bool promised = plan.judged_until >= truth.horizon() * 0.999 && plan.reached;
   ++tally.judged;
   tally.met += error <= wanted ? 1 : 0;
@@ -146,7 +145,7 @@ void judge_search(const std::string& name, const Scene& scene, double target, do
   tally.met += whole && error <= target ? 1 : 0;
   tally.broken += judged && promised && error > target ? 1 : 0;
   const double least = table && judged ? cheapest_of_the_whole(scene, truth, target) : infinity;
-  const double ratio = work_of(scene, truth, plan.settings, run) / least;
+  const double ratio = work_of(scene, plan.settings, run) / least;
   tally.compared += least < infinity ? 1 : 0;
   tally.cheap += least < infinity && ratio <= 2.0 ? 1 : 0;
   if (!table) return;

@@ -56,12 +56,12 @@ TEST(OneLoop, TimedJudgedAndDrawnRunsAreTheSame) {
     Scene scene = scene_called(name);
     constexpr double duration = 0.2;  // s
     for (const Method& method : all_methods()) {
-      scene.settings = complete_settings({std::string(method.name), {{"steps_per_second", 2400.0}}});
+      scene.settings = complete_settings(settings(std::string(method.name), 2400.0));
       if (!refusals(scene.model, scene.start, scene.settings).empty()) continue;
-      State timed = scene.start;
-      simulate(scene.model, timed, scene.settings, std::llround(2400.0 * duration), chart_policy);
       taut::Run judged(scene.model, scene.start, scene.settings, chart_policy);
       judged.at(duration);
+      State timed = scene.start;
+      simulate(scene.model, timed, scene.settings, judged.steps(), chart_policy);
       Simulation drawn(scene);
       for (int frame = 0; frame < 6; ++frame) drawn.at(duration * frame / 6.3);
       drawn.at(duration);

@@ -92,6 +92,20 @@ Vec3 exact_hand(double time, int steps) {
   return {std::sin(end[0]) + std::sin(end[1]), -std::cos(end[0]) - std::cos(end[1]), 0.0};
 }
 
+// Of second order with rattle, of first with others; as near as the references are with dop853, whatever the
+// rate.
+void expect_convergence(const std::string& method, const std::vector<double>& steps,
+                        const std::vector<double>& errors, double most) {
+  SCOPED_TRACE(method);
+  if (method == "dop853") {
+    EXPECT_LT(errors.back(), 1e-9);
+    return;
+  }
+  EXPECT_GT(observed_order(steps, errors), method == "rattle" ? 1.7 : 0.8)
+      << errors.front() << " … " << errors.back();
+  EXPECT_LT(errors.back(), most);
+}
+
 class SoftLimits : public ::testing::TestWithParam<std::tuple<std::string, LimitKind>> {
  protected:
   std::string method() const { return std::get<0>(GetParam()); }
@@ -109,7 +123,7 @@ TEST_P(SoftLimits, GiveWayByComplianceTimesTorque) {
     const double excess = below_level(run(built, settings(method(), rate, 20.0), 4.0)) - stop;
     errors.push_back(std::abs(excess - soft_compliance * g * std::cos(stop + excess)));
   }
-  if (method() == "rattle" || method() == "newton") {
+  if (method() == "rattle" || method() == "newton" || method() == "dop853") {
     EXPECT_LT(errors[0], 1e-7) << "rad";
     EXPECT_LT(errors[1], 1e-7) << "rad";
   } else {
@@ -130,9 +144,7 @@ TEST_P(SoftLimits, ASwingConvergesToTheReference) {
     steps.push_back(1.0 / rate);
     errors.push_back(std::abs(below_level(end) - exact));
   }
-  const double order = observed_order(steps, errors);
-  EXPECT_GT(order, method() == "rattle" ? 1.7 : 0.8) << errors.front() << " … " << errors.back();
-  EXPECT_LT(errors.back(), 0.02);
+  expect_convergence(method(), steps, errors, 0.02);
 }
 
 // Both bodies at the joint are free to move.
@@ -150,9 +162,7 @@ TEST_P(SoftLimits, ALimitBetweenMovingBodiesConvergesToTheReference) {
     steps.push_back(1.0 / rate);
     errors.push_back((end.position.at(2) - exact).norm());
   }
-  const double order = observed_order(steps, errors);
-  EXPECT_GT(order, method() == "rattle" ? 1.7 : 0.8) << errors.front() << " … " << errors.back();
-  EXPECT_LT(errors.back(), 0.02);
+  expect_convergence(method(), steps, errors, 0.02);
 }
 
 // Far too stiff for the step: it must hold as a stop does, and not throw anything back harder than it came.
@@ -212,9 +222,7 @@ TEST(SoftLimitSpring, SwingsAboutARangeOfOneAngle) {
       steps.push_back(1.0 / rate);
       errors.push_back(std::abs(below_level(run(built, settings(method, rate, 10.0), 0.6)) - exact));
     }
-    EXPECT_GT(observed_order(steps, errors), method == "rattle" ? 1.7 : 0.8)
-        << method << " " << errors.back();
-    EXPECT_LT(errors.back(), 5e-3) << method;
+    expect_convergence(method, steps, errors, 5e-3);
   }
 }
 

@@ -106,9 +106,7 @@ TEST_P(SecondOrderTension, AfterTheFirstSteps) {
       State state = start;
       simulate(built.model, state, settings_of(GetParam(), rate), count);
       const double exact =
-          accurately(built.model, start, {static_cast<double>(count) / rate}, 1e-13)
-              .at(0)
-              .tension[0];
+          accurately(built.model, start, {static_cast<double>(count) / rate}, 1e-13).at(0).tension[0];
       return std::abs(state.tension[0] - exact);
     });
     EXPECT_GT(order, 1.8) << count << " steps:" << errors_;

@@ -224,9 +224,9 @@ TEST(SceneErrors, AMethodWithoutLimitsSaysWhichHaveThem) {
   const std::string scene = third_mass_with(
       "[[angle]]\nmasses = [\"hand\", \"bob\", \"tip\"]\n"
       "[solve]\nmethod = \"euler\"\n");
-  EXPECT_EQ(errors_of(scene).substr(0, 100),
+  EXPECT_EQ(errors_of(scene).substr(0, 108),
             "f.toml:14:1: method \"euler\" has no limits on angles; these have: verlet, xpbd, shake, rattle, "
-            "newton");
+            "dop853, newton");
 }
 
 TEST(SceneErrors, SheetsThatMemoryCannotHoldAreRefused) {

@@ -46,9 +46,10 @@ enum class StepLimit {
 
 /// What becomes of a quantity that nature keeps.
 enum class Keeping {
-  kept,            ///< momentum to rounding; energy without drift: it swings with the step and comes back
-  lost_with_step,  ///< a loss that is in proportion to the step
-  not_kept,        ///< changes whatever the step
+  kept,              ///< momentum to rounding; energy without drift: it swings with the step and comes back
+  lost_with_step,    ///< a loss that is in proportion to the step
+  within_tolerance,  ///< a change that is in proportion to the method's tolerance
+  not_kept,          ///< changes whatever the step
 };
 
 /// What becomes of each in free flight, and of energy wherever nothing damps.
@@ -64,6 +65,7 @@ struct Capabilities {
   bool rigid = true;       ///< links without stiffness
   bool ground = false;     ///< half-spaces with friction and without rebound, touched by single masses
   bool limits = false;     ///< limits on angles
+  bool joints = false;     ///< joints with damping or friction
   bool colliders = false;  ///< solids of any shape, rebound, bodies that touch
   bool drag = true;
   bool break_stretch = false;

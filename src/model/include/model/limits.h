@@ -59,8 +59,8 @@ Overshoot overshoot(const Limit& limit, double angle);
 /// end at 0 and π by themselves.
 bool has_stop(const Limit& limit, double sign);
 
-/// How far an angle is beyond one end of the limit, +1 the upper or −1 the lower, whichever is nearer; for a
-/// hinge, round the circle the shorter way.
+/// How far an angle is beyond one end of the limit, +1 the upper or −1 the lower, whichever is nearer; negative
+/// inside the range, and for a hinge beyond its other end.
 double excess_at(const Limit& limit, double angle, double sign);
 
 /// Right-handed unit axes of the frame of three points as columns: x from o to p, z across the plane of the

@@ -1,0 +1,70 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <utility>
+
+#include "high_order/tableau.h"
+#include "model/limit_motion.h"
+
+namespace taut::test {
+namespace {
+
+// Σ b_i c_i^(k−1) = 1/k as far as order 8 goes, Σ a_ij = c_i, and in all stages but the first few also
+// Σ a_ij c_j = c_i²/2 and Σ a_ij c_j² = c_i³/3.
+TEST(Tableau, FulfilsItsConditions) {
+  using namespace dop853;
+  const auto moment = [](const Row& row, int power) {
+    double sum = 0.0;
+    for (std::size_t j = 0; j < all_stages; ++j) sum += row[j] * std::pow(nodes[j], power);
+    return sum;
+  };
+  for (int k = 1; k <= 8; ++k) EXPECT_NEAR(moment(weights[stages], k - 1), 1.0 / k, 4e-15) << k;
+  for (std::size_t stage = 1; stage < all_stages; ++stage) {
+    EXPECT_NEAR(moment(weights[stage], 0), nodes[stage], 4e-14) << stage;
+    if (stage > 1) {
+      EXPECT_NEAR(moment(weights[stage], 1), std::pow(nodes[stage], 2) / 2.0, 4e-14) << stage;
+    }
+    if (stage > 4) {
+      EXPECT_NEAR(moment(weights[stage], 2), std::pow(nodes[stage], 3) / 3.0, 4e-14) << stage;
+    }
+  }
+  EXPECT_NEAR(moment(fifth_order_error, 0), 0.0, 1e-14);
+  EXPECT_NEAR(moment(third_order_error, 0), 0.0, 1e-14);
+}
+
+// Angles along a motion, by differences of the angle itself.
+TEST(LimitMotion, IsTheDerivativeOfTheAngle) {
+  Vectors position, velocity;
+  const double coordinates[6][6] = {{0.1, 0.2, 0.0, 0.3, -0.2, 0.5},  {1.1, 0.3, 0.2, -0.4, 0.7, 0.1},
+                                    {0.2, 1.2, -0.1, 0.6, 0.1, -0.3}, {0.4, 0.5, 0.9, -0.2, -0.5, 0.4},
+                                    {1.3, 1.0, 1.4, 0.5, 0.3, 0.8},   {0.7, 1.6, 1.1, -0.6, 0.4, -0.7}};
+  for (const auto& c : coordinates) {
+    position.push_back({c[0], c[1], c[2]});
+    velocity.push_back({c[3], c[4], c[5]});
+  }
+  for (const auto& [kind, count] :
+       {std::pair{LimitKind::angle, 3}, {LimitKind::hinge, 5}, {LimitKind::cone, 6}}) {
+    Limit limit;
+    limit.kind = kind;
+    limit.count = static_cast<std::uint8_t>(count);
+    limit.masses = {0, 1, 2, 3, 4, 5};
+    limit.axis = Vec3(0.6, 0.0, 0.8);
+    const auto angle_after = [&](double time) {
+      Vectors moved = position;
+      for (std::size_t i = 0; i < moved.size(); ++i) moved.add(i, time * velocity.at(i));
+      return limit_angle(limit, moved);
+    };
+    constexpr double h = 1e-3;
+    const double rate =
+        (8.0 * (angle_after(h) - angle_after(-h)) - angle_after(2 * h) + angle_after(-2 * h)) / (12.0 * h);
+    const double change = (16.0 * (angle_after(h) + angle_after(-h)) - angle_after(2 * h) -
+                           angle_after(-2 * h) - 30.0 * angle_after(0.0)) /
+                          (12.0 * h * h);
+    const LimitMotion motion = limit_motion(limit, position, velocity);
+    EXPECT_NEAR(motion.rate, rate, 1e-9) << count;
+    EXPECT_NEAR(motion.change, change, 1e-7) << count;
+  }
+}
+
+}  // namespace
+}  // namespace taut::test
