@@ -207,8 +207,9 @@ Plan make_plan(const Model& model, const State& start, const Truth& truth, const
                   good ? "the cheapest that is good enough" : "the best, but not good enough,", search.runs(),
                   search.out_of_time() ? " until the time was up" : "", truth.how, plan.predicted_seconds);
   const Settings usual = complete_settings({plan.settings.method, {}});
+  // What a method that chooses its steps makes of the rest, its tolerance sees to.
   const double rate = pace_of(model, plan.settings), least = pace_of(model, usual);
-  if (!plan.judged_to_the_end() && rate < least) {
+  if (!plan.judged_to_the_end() && !usual.chooses_steps() && rate < least) {
     set_pace(model, plan.settings, least);
     plan.predicted_seconds *= least / rate;
     plan.why += "; with no coarser step than usual, as the run can't be judged to its end";

@@ -224,6 +224,9 @@ void ProbeLadder::judge_last(const ProbeScene& scene, const Probe& finer) {
 }
 
 void ProbeLadder::climb(const ProbeScene& scene, double most_seconds, const StopTest& stop) {
+  constexpr double patience = 4.0;  // with a method whose steps can't be foreseen
+  if (candidate_.settings.chooses_steps())
+    most_seconds = std::min(most_seconds, patience * work_of(scene.model, rate_, scene.times.back()));
   std::optional<Probe> probe = made(scene, most_seconds, stop);
   ++runs_;
   failed_ += probe ? 0 : 1;

@@ -118,7 +118,9 @@ double QuickSearch::reach_in_time() const {
   constexpr double runs_worth = 6.0;
   double cheapest = infinity;
   for (const ProbeLadder& ladder : ladders_)
-    cheapest = std::min(cheapest, ladder.work_of(scene_.model, ladder.candidate().rule_rate, 1.0));
+    // How many steps a method takes that chooses them can't be foreseen well enough.
+    if (!ladder.candidate().settings.chooses_steps() || ladders_.size() == 1)
+      cheapest = std::min(cheapest, ladder.work_of(scene_.model, ladder.candidate().rule_rate, 1.0));
   const double affordable = budget_ / (runs_worth * cheapest);
   return std::min(affordable, duration_);
 }
@@ -226,8 +228,10 @@ Plan QuickSearch::plan_for(const Settings& settings) const {
   return plan;
 }
 
-// What a run that was not judged to its end is never coarser than.
+// What a run that was not judged to its end is never coarser than. What a method that chooses its steps makes
+// of the rest, its tolerance sees to.
 double QuickSearch::floor_rate(const ProbeLadder& ladder) const {
+  if (ladder.candidate().settings.chooses_steps()) return ladder.candidate().rule_rate;
   const Settings usual = complete_settings({ladder.candidate().settings.method, {}});
   return std::max(pace_of(scene_.model, usual), ladder.candidate().rule_rate);
 }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <mujoco/mujoco.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -55,6 +56,19 @@ BENCHMARK_CAPTURE(here, rattle_order_4, "rattle", "4")
     ->Arg(1200)
     ->Arg(2400)
     ->Unit(benchmark::kMillisecond);
+
+void dop853(benchmark::State& run) {
+  static const Built chain = bench::build_valid(bench::level_chain(link_count, link_length));
+  const Settings how =
+      complete_settings({"dop853", {{"tolerance", std::pow(10.0, -static_cast<double>(run.range(0)))}}});
+  Vec3 end = Vec3::Zero();
+  for (auto round : run) {
+    Run motion(chain.model, chain.start, how);
+    end = motion.at(1.0)->position.at(link_count);
+  }
+  report(run, end);
+}
+BENCHMARK(dop853)->DenseRange(3, 9)->Unit(benchmark::kMillisecond);  // tolerance 1e-3 to 1e-9 m
 
 std::string mujoco_chain() {
   std::string xml = "<mujoco><option gravity=\"0 -9.81 0\"><flag contact=\"disable\"/></option><worldbody>";

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "measure/cost.h"
+#include "measure/pace.h"
 #include "measure/work_precision.h"
 #include "scenes_of_the_program.h"
 #include "study/scene_plan.h"
@@ -40,18 +41,18 @@ class JudgedGrid {
   // Whether any point that is predicted to cost less than that is good enough.
   bool any_cheaper_does(double wanted, double work) {
     for (std::size_t curve = 0; curve < curves_.size(); ++curve)
-      for (int fineness = 0; fineness < 15; ++fineness)
+      for (int fineness = 0; fineness < curves_[curve].finer.count; ++fineness)
         for (int row = 0; row < (curves_[curve].relaxes() ? 5 : 1); ++row) {
           const GridPoint point{curve, fineness, row};
           const Settings settings = settings_at_place(curves_[curve], fineness, row);
-          const double steps = truth_.horizon() * settings.steps_per_second();
+          const double steps = truth_.horizon() * pace_of(scene_.model, settings);
           const auto passes =
               curves_[curve].relaxes() ? static_cast<std::int64_t>(settings.number("passes")) : 1;
           const std::string_view method = curves_[curve].settings.method;
           if (predicted_seconds(scene_.model, method, steps, passes) >= work) continue;
           const JudgedRun& run = at(point);
           if (!run.diverged && *run.errors[ErrorKind::trajectory] <= wanted &&
-              predicted_seconds(scene_.model, method, run.counts, steps) < work)
+              predicted_seconds(scene_.model, method, run.counts, static_cast<double>(run.steps)) < work)
             return true;
         }
     return false;
@@ -98,8 +99,8 @@ TEST_P(PlanTest, MeetsItsTargetAndNothingHalfAsDearDoes) {
     ASSERT_LE(*truth.smallest[ErrorKind::trajectory], wanted) << truth.how;
     const JudgedRun run = judge_run(scene.model, scene.start, truth, plan.settings);
     EXPECT_LE(*run.errors[ErrorKind::trajectory], wanted) << plan.why;
-    const double work = predicted_seconds(scene.model, plan.settings.method, run.counts,
-                                          truth.horizon() * plan.settings.steps_per_second());
+    const double work =
+        predicted_seconds(scene.model, plan.settings.method, run.counts, static_cast<double>(run.steps));
     EXPECT_FALSE(grid.any_cheaper_does(wanted, 0.5 * work)) << plan.why;
   }
 }
@@ -163,11 +164,13 @@ TEST(Plan, IsNoMoreThanTwiceAsDearAsAnyRunThatIsGoodEnough) {
   int good = 0;
   for (const MethodVariant& curve : variants_of(scene.model, scene.start).variants)
     for (double rate = 60.0; rate <= 8000.0; rate *= 2.0) {
-      const JudgedRun run = judge_run(scene.model, scene.start, truth, settings_at(scene.model, curve, rate, 1));
+      const JudgedRun run =
+          judge_run(scene.model, scene.start, truth, settings_at(scene.model, curve, rate, 1));
       if (run.diverged || *run.errors[ErrorKind::trajectory] > well_within) continue;
       ++good;
-      EXPECT_GE(predicted_seconds(scene.model, curve.settings.method, run.counts, static_cast<double>(run.steps)),
-                0.5 * work)
+      EXPECT_GE(
+          predicted_seconds(scene.model, curve.settings.method, run.counts, static_cast<double>(run.steps)),
+          0.5 * work)
           << curve.name << " at " << rate << "; " << plan.why;
     }
   EXPECT_GT(good, 5);

@@ -105,15 +105,15 @@ std::vector<std::string> walked(const Built& built, const Truth& truth, double m
     const MethodVariant& curve = curves[point->curve];
     const Settings settings = settings_at_place(curve, point->fineness, point->row);
     const double passes = curve.passes ? curve.passes->value(point->row) : 1.0;
-    points.push_back(curve.name + " " + std::to_string(settings.steps_per_second()) + " " +
-                     std::to_string(std::lround(passes)));
+    points.push_back(curve.name + " " + pace_text(settings) + " " + std::to_string(std::lround(passes)));
     walk.record(judge_run(built.model, built.start, truth, settings));
   }
   const GridWalk::Counts counts = walk.counts();
   EXPECT_EQ(counts.run, points.size());
   EXPECT_EQ(counts.open, 0U);
   std::size_t all = 0;
-  for (const MethodVariant& curve : curves) all += curve.relaxes() ? 75 : 15;
+  for (const MethodVariant& curve : curves)
+    all += static_cast<std::size_t>(curve.finer.count) * (curve.relaxes() ? 5 : 1);
   EXPECT_EQ(counts.run + counts.off_front + counts.no_gain + counts.too_dear, all)
       << "every point is accounted for";
   return points;
@@ -156,8 +156,8 @@ TEST(GridWalk, GoesFromCheapToDearOverAllCurves) {
     EXPECT_NE(found, points.end()) << point;
     return found - points.begin();
   };
-  EXPECT_LT(place("verlet 240.000000 1"), place("verlet 60.000000 16"));
-  EXPECT_LT(place("verlet 120.000000 1"), place("rattle order 4 60.000000 1"));
+  EXPECT_LT(place("verlet at 240 steps/s 1"), place("verlet at 60 steps/s 16"));
+  EXPECT_LT(place("verlet at 120 steps/s 1"), place("rattle order 4 at 60 steps/s 1"));
 }
 
 TEST(ParetoFront, HoldsWhatNothingBeats) {

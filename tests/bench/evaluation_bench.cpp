@@ -1,0 +1,50 @@
+// What dop853 costs a link and evaluation of the equations of motion, everything in: stages, step control,
+// projection onto the links. Chains, and a net of rigid links hung by a corner.
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+
+#include "bench_scenes.h"
+
+namespace {
+
+using namespace taut;
+
+constexpr std::int64_t steps_at_once = 4;
+
+void per_evaluation(benchmark::State& run, const Description& description) {
+  const Built built = bench::build_valid(description);
+  Run motion(built.model, built.start, complete_settings({"dop853", {{"tolerance", 1e-6}}}));
+  for (int step = 0; step < 8; ++step) motion.step();  // until steps are as long as they may be
+  const std::int64_t before = motion.report().counts.link_solves;
+  for (auto round : run)
+    for (std::int64_t step = 0; step < steps_at_once; ++step)
+      if (!motion.step()) throw std::runtime_error(motion.failure());
+  const auto solves = static_cast<double>(motion.report().counts.link_solves - before);
+  // With SI prefixes: "12n" are 12 ns.
+  run.counters["s/link/evaluation"] =
+      benchmark::Counter(solves, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+void chain(benchmark::State& run) {
+  const auto links = static_cast<int>(run.range(0));
+  Description description = bench::level_chain(links, 2.0 / links);
+  description.chains[0].length = 2.2;  // it hangs in an arc, and swings
+  per_evaluation(run, description);
+}
+BENCHMARK(chain)->Arg(20)->RangeMultiplier(10)->Range(100, 100000)->Unit(benchmark::kMillisecond);
+
+void net(benchmark::State& run) {
+  SheetSpec sheet;
+  sheet.name = "net";
+  sheet.rows = sheet.columns = static_cast<int>(run.range(0));
+  sheet.to = {1.0, 0.0, 0.0};
+  sheet.down = {0.0, -0.7, 0.7};
+  sheet.pinned = {"top-left"};
+  Description description;
+  description.sheets = {sheet};
+  per_evaluation(run, description);
+}
+BENCHMARK(net)->Arg(16)->Arg(64)->Unit(benchmark::kMillisecond);
+
+}  // namespace
