@@ -45,8 +45,9 @@ std::string dop853_refusal(const Model& model, const State& start, const Setting
     farthest = std::max(farthest, start.position.at(i).lpNorm<Eigen::Infinity>());
   const double least = 4.0 * std::numeric_limits<double>::epsilon() * farthest;
   if (settings.number("tolerance") < least)
-    return fmt::format("positions of up to {:.3g} m can't be told apart within a tolerance below {:.1e} m",
-                       farthest, least);
+    return fmt::format(
+        "method dop853 can't tell positions of up to {:.3g} m apart within a tolerance below {:.1e} m",
+        farthest, least);
   if (const Index link = redundant_link(model, start); link != no_link)
     return fmt::format(
         "the link {} says nothing that other rigid links do not say already: its tension is not to be known, "

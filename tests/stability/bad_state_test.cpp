@@ -39,7 +39,7 @@ class BadState : public ::testing::TestWithParam<std::string> {
 TEST_P(BadState, NumbersThatAreNoneAreAnErrorAndNothingIsChanged) {
   const Built scene = built();
   const Settings complete = complete_settings({GetParam(), {}});
-  const double h = 1.0 / complete.steps_per_second();
+  const double h = complete.chooses_steps() ? 1.0 / 60.0 : 1.0 / complete.steps_per_second();
   const std::size_t masses = scene.model.masses.size();
   for (const double bad : {std::numeric_limits<double>::quiet_NaN(), infinity, -infinity}) {
     // Place 0 is the time; then come the coordinates of positions, then those of velocities, of every mass. A
@@ -67,6 +67,7 @@ TEST_P(BadState, LinkedMassesAtOnePointStayFiniteOrAreAnError) {
   const Settings complete = complete_settings({GetParam(), {}});
   State state = scene.start;
   state.position.set(2, state.position.at(1));
+  if (!refusals(scene.model, state, complete).empty()) return;  // by name, before the run
   taut::Run run(scene.model, state, complete);
   for (int step = 0; step < 100; ++step) {
     const State before = run.state();

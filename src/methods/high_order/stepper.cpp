@@ -202,7 +202,17 @@ double HighOrderStepper::good_step(double h, double longest, StepReport& report)
 StepReport HighOrderStepper::step(double h, double end_time) {
   StepReport report;
   breaking_.clear();
-  if (!begun_ && !begin(report)) return report;
+  if (!begun_) {
+    if (!all_finite(state_)) {
+      report.status = StepStatus::not_finite;
+      return report;
+    }
+    const State given = state_;
+    if (!begin(report)) {
+      state_ = given;
+      return report;
+    }
+  }
   if (past_ > 0.0) {
     breaking_ = watch_.breaking(state_.position, *equations_);
     if (!breaking_.empty()) return report;  // at once
