@@ -18,6 +18,7 @@ namespace taut {
 namespace {
 
 constexpr std::int64_t steps_between_looks = 16;
+constexpr int parts_for_work = 4;    // of a step that the method chose, between which work is looked at
 constexpr double least_part = 1e-4;  // of a step, that is worth one of its own
 constexpr int most_cuts = 32;        // of a step; what breaks beyond that does so at its end
 // How near to a stop a cut comes, as a share of the step, and how much of the way there it makes at once.
@@ -108,13 +109,20 @@ bool Run::step() {
 
 // As long as the method has it, as far as the next break.
 bool Run::own_step() {
+  const double begin = stepper_->glimpse().time;
   const StepReport step = stepper_->step(infinity, infinity);
   report_.counts.add(step);
   if (step.status != StepStatus::done) {
     report_.end = RunEnd::step_failed;
     return false;
   }
-  if (ledger_.keeps_anything()) ledger_.record(stepper_->glimpse());
+  if (ledger_.keeps_anything() && stepper_->glimpse().time > begin) {
+    std::vector<State> states;
+    for (int i = 1; i < parts_for_work; ++i)
+      states.push_back(stepper_->between(begin + (stepper_->glimpse().time - begin) * i / parts_for_work));
+    states.push_back(stepper_->glimpse());
+    ledger_.record(states);
+  }
   const std::span<const Index> breaking = stepper_->breaking();
   break_links({breaking.begin(), breaking.end()}, report_.counts);
   ++report_.steps;

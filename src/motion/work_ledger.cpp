@@ -73,6 +73,25 @@ void WorkLedger::record(const State& state) {
   look(state);
 }
 
+void WorkLedger::record(const std::vector<State>& states) {
+  std::vector<Work> sums;  // from one long part to many short ones
+  for (std::size_t stride = states.size(); stride > 0; stride /= 2) {
+    WorkLedger ledger = *this;
+    for (std::size_t i = stride; i <= states.size(); i += stride) ledger.record(states[i - 1]);
+    sums.push_back(ledger.work_);
+  }
+  const auto extrapolate = [&](double Work::*part) {
+    for (std::size_t level = 1; level < sums.size(); ++level)
+      for (std::size_t i = sums.size() - 1; i >= level; --i)
+        sums[i].*part +=
+            (sums[i].*part - sums[i - 1].*part) / (std::pow(4.0, static_cast<double>(level)) - 1.0);
+  };
+  extrapolate(&Work::pins);
+  extrapolate(&Work::loads);
+  work_ = sums.back();
+  look(states.back());
+}
+
 // Remembers what the next step's work is reckoned from.
 void WorkLedger::look(const State& state) {
   last_pin_position_.clear();

@@ -43,5 +43,20 @@ TEST(WorkLedger, BrokenSpringTakesItsEnergyAlong) {
   EXPECT_NEAR(gain, expected, 1e-4);
 }
 
+// Of long steps, too.
+TEST(WorkLedger, LongStepsOfHighOrderAreAddedUpAsWell) {
+  Description description = level_chain(5, 0.2);
+  description.chains[0].first_motion.sinusoid = SinusoidSpec{{0.0, 0.1, 0.0}, 12.0, 0.0};
+  description.loads = {LoadSpec{{"rope.5"}, {8.0, 3.0, 0.0}, 0.1, 0.6}};
+  const Built built = build_valid(description);
+  taut::Run run(built.model, built.start, settings("dop853", 240.0));
+  ASSERT_TRUE(run.at(1.0)) << run.failure();
+  const double gain = energy(built.model, run.state()).total() - energy(built.model, built.start).total();
+  EXPECT_LT(run.steps(), 300);
+  EXPECT_GT(std::abs(run.work().pins), 1.0);
+  EXPECT_GT(std::abs(run.work().loads), 1.0);
+  EXPECT_NEAR(gain, run.work().expected_gain(), 1e-6 * run.work().throughput);
+}
+
 }  // namespace
 }  // namespace taut::test

@@ -41,6 +41,11 @@ class WorkLedger {
   /// To be called after every step with the state that it ended in.
   void record(const State& state);
 
+  /// The same of one long smooth step, in which nothing breaks: states at equal times, as many as a power of
+  /// two, the last at its end. The sums over all, every second, every fourth … of them are extrapolated
+  /// (Romberg).
+  void record(const std::vector<State>& states);
+
   const Work& work() const { return work_; }
 
  private:
