@@ -68,7 +68,8 @@ Reference longest_reference(const Scene& scene, double horizon, const TruthReque
   }
   if (!best.certified() || request.judged || scene.model.links.size() > large_scene) return best;
   const std::vector<double> times = instants_until(best.certified_until);
-  for (const double accuracy : {request.finest, std::sqrt(request.finest * request.loosest)}) {
+  for (const double accuracy :
+       {request.finest, 10.0 * request.finest, std::sqrt(request.finest * request.loosest)}) {
     Reference tight =
         cached_reference(scene, times, accuracy * size, folder, request.certify_seconds, request.stop);
     if (tight.certified() && worth * tight.certified_until >= best.certified_until) return tight;

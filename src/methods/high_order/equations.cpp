@@ -266,6 +266,7 @@ bool Equations::settle(double time, const Vectors& position, double slow, Vector
     if (speed(i, velocity) > -slow) at_rest.push_back(near[i]);
   rows = hard_rows(at_rest, position);
   std::vector<double> curved;
+  curved.reserve(at_rest.size());
   for (const HeldStop& stop : at_rest)
     curved.push_back(stop.sign * limit_motion(model_.limits[stop.limit], position, velocity).change);
   Vectors acceleration;

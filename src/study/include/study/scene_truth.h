@@ -22,7 +22,7 @@ struct TruthRequest {
   /// the motion is known: past impacts, and into chaos.
   std::optional<double> judged;
   double loosest = 1e-5;          ///< of the scene's size: a motion is certified at least to this …
-  double finest = 1e-8;           ///< … and where that can be done to this
+  double finest = 1e-10;          ///< … and where that can be done to this
   double certify_seconds = 10.0;  ///< of one run, predicted, where a motion is certified
   double agree_seconds = 5.0;     ///< of one run, predicted, where two methods have to agree
   StopTest stop = {};
