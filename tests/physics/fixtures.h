@@ -35,8 +35,8 @@ inline Settings settings(std::string method, double steps_per_second, double pas
   return settings;
 }
 
-/// Simulates for a duration that is a whole number of steps, if the method has a fixed one; every step must be
-/// solved.
+/// Simulates for a duration that is a whole number of steps, if the method has a fixed one; every step must
+/// be solved.
 inline State run(const Built& built, const Settings& settings, double duration) {
   taut::Run run(built.model, built.start, settings);
   if (run.settings().chooses_steps()) {

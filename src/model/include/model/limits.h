@@ -55,12 +55,12 @@ LimitAngle limit_gradients(const Limit& limit, const Vectors& position);
 /// Beyond which end of the limit an angle is; for a hinge, round the circle the shorter way.
 Overshoot overshoot(const Limit& limit, double angle);
 
-/// Whether there is anything to be met at one end of the limit, +1 the upper or −1 the lower: angles and cones
-/// end at 0 and π by themselves.
+/// Whether there is anything to be met at one end of the limit, +1 the upper or −1 the lower: angles and
+/// cones end at 0 and π by themselves.
 bool has_stop(const Limit& limit, double sign);
 
-/// How far an angle is beyond one end of the limit, +1 the upper or −1 the lower, whichever is nearer; negative
-/// inside the range, and for a hinge beyond its other end.
+/// How far an angle is beyond one end of the limit, +1 the upper or −1 the lower, whichever is nearer;
+/// negative inside the range, and for a hinge beyond its other end.
 double excess_at(const Limit& limit, double angle, double sign);
 
 /// Right-handed unit axes of the frame of three points as columns: x from o to p, z across the plane of the
