@@ -11,6 +11,7 @@
 #include "frames/colouring.h"
 #include "host/progress.h"
 #include "interrupted.h"
+#include "methods/registry.h"
 #include "output/gnuplot.h"
 #include "study/sag_files.h"
 #include "values.h"
@@ -44,7 +45,9 @@ std::vector<int> parse_passes(const std::string& text) {
 SceneOverrides sag_overrides(const SceneFlags& flags) {
   SceneOverrides overrides = flags.overrides();
   if (!overrides.method) overrides.method = "verlet";
-  overrides.sets.insert(overrides.sets.begin(), "solve.steps_per_second=60");
+  const Method* method = find_method(*overrides.method);
+  if (method == nullptr || find_param(*method, "steps_per_second") != nullptr)
+    overrides.sets.insert(overrides.sets.begin(), "solve.steps_per_second=60");
   return overrides;
 }
 

@@ -28,11 +28,13 @@ struct StabilityFlags {
   bool resume = false, overwrite = false, draw_only = false, json = false, quiet = false;
 };
 
-// All methods, or those of --methods. Throws BadRequest for one that is none, and for one that comes twice.
+// All methods with a step to choose, or those of --methods. Throws BadRequest for one that is none, and for
+// one that comes twice.
 std::vector<MapMethod> chosen_methods(const std::string& list) {
   std::vector<MapMethod> chosen;
   if (list.empty()) {
-    for (const Method& method : all_methods()) chosen.push_back(parse_map_method(std::string(method.name)));
+    for (const Method& method : all_methods())
+      if (!method.can.chooses_steps) chosen.push_back(parse_map_method(std::string(method.name)));
     return chosen;
   }
   for (const std::string_view part : split(list, ',')) {

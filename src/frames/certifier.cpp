@@ -105,8 +105,10 @@ std::optional<Chosen> by_method(const Scene& scene, std::string_view method, dou
   constexpr double most = 1e6;
   while (rate < most && refused(rate)) rate *= 2.0;
   // What takes few long steps is judged by as many short ones as there is time for.
+  constexpr double enough = 1e5;  // steps per second
   if (scene.settings.chooses_steps())
-    while (rate < most && predicted_seconds(scene.model, at_pace(rate), scene.duration) < 0.25 * most_seconds)
+    while (rate < enough &&
+           predicted_seconds(scene.model, at_pace(rate), scene.duration) < 0.25 * most_seconds)
       rate *= 2.0;
   if (rate > most) return std::nullopt;
   settings = at_pace(rate);

@@ -11,6 +11,7 @@
 #include <optional>
 #include <thread>
 
+#include "base/failure.h"
 #include "base/hash.h"
 #include "base/split.h"
 #include "host/build_info.h"
@@ -188,7 +189,8 @@ StabilityMaps gather(const StabilityRequest& request, const CaseStore& store) {
 MapMethod parse_map_method(const std::string& text) {
   const std::vector<std::string_view> parts = split(text, ':');
   MapMethod method{text, {std::string(parts.front()), {}}};
-  complete_settings(method.settings);
+  if (complete_settings(method.settings).chooses_steps())
+    throw BadRequest(fmt::format("method \"{}\" chooses its steps, and has no map over them", parts.front()));
   for (std::size_t i = 1; i < parts.size(); ++i) {
     const std::size_t equals = parts[i].find('=');
     const std::string name(parts[i].substr(0, equals));
