@@ -23,6 +23,9 @@ constexpr double least_part = 1e-4;  // of a step, that is worth one of its own
 constexpr int most_cuts = 32;        // of a step; what breaks beyond that does so at its end
 // How near to a stop a cut comes, as a share of the step, and how much of the way there it makes at once.
 constexpr double nearest_to_stop = 1e-11, cautious = 0.999;
+// s, in which an impact happens: so long that positions tell velocities by it, and so short that nothing else
+// does much.
+constexpr double impact_time = 1e-8;
 
 const Method& willing_method(const Model& model, const State& start, const Settings& settings) {
   const std::vector<std::string> problems = refusals(model, start, settings);
@@ -228,7 +231,10 @@ StepReport Run::stopped_step(double h, double end_time, int halvings, StepReport
   }
   if (report.status == StepStatus::done && make(before)) {
     touched_ = touched;
-    report.add(guarded_step(h - before, end_time, halvings));
+    // A stop that has pushed in a step holds to its end: so the impulse has a short one of its own.
+    const double impact = std::min(impact_time, h - before), rest = h - before - impact;
+    report.add(stepper_->step(impact, rest > 0.0 ? end_time - rest : end_time));
+    if (report.status == StepStatus::done && rest > 0.0) report.add(guarded_step(rest, end_time, halvings));
   }
   if (report.status != StepStatus::done) {
     stepper_->load(start);
