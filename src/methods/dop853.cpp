@@ -48,7 +48,7 @@ std::string dop853_refusal(const Model& model, const State& start, const Setting
     return fmt::format(
         "method dop853 can't tell positions of up to {:.3g} m apart within a tolerance below {:.1e} m",
         farthest, least);
-  if (const Index link = undetermined_link(model, start); link != no_link)
+  if (const Index link = redundant_link(model, start); link != no_link)
     return fmt::format(
         "the link {} says nothing that other rigid links do not say already: its tension is not to be known, "
         "and method dop853 needs it. Leave the link out or give it stiffness, or use xpbd or newton",

@@ -106,19 +106,6 @@ bool Equations::evaluate(double time, const Vectors& position, const Vectors& ve
   return true;
 }
 
-bool Equations::fits(const State& state) {
-  constexpr double enough = 1e-6;
-  if (system_.matrix->takes_unsymmetric()) return false;
-  Vectors acceleration;
-  if (!evaluate(state.time, state.position, state.velocity, acceleration)) return false;
-  const double pull = largest(acceleration) + model_.gravity.norm();
-  std::vector<double> left;
-  along_links_moving(system_.links, direction_, acceleration, state.velocity, left);
-  for (std::size_t i = 0; i < left.size(); ++i)
-    if (!(std::abs(left[i]) <= enough * pull * system_.links.length[i])) return false;
-  return true;
-}
-
 void Equations::write_tensions(std::vector<double>& tension) const {
   tension.assign(model_.links.size(), 0.0);
   const SystemLinks& links = system_.links;
@@ -299,9 +286,6 @@ bool Equations::settle(double time, const Vectors& position, double slow, Vector
   return project_velocities(position, velocity);
 }
 
-namespace {
-
-// The first link that those before it leave no say; no_link where none is.
 Index redundant_link(const Model& model, const State& state) {
   const SystemLinks links = gather(model, whole_rigid_links(model, state));
   if (links.size() == 0) return no_link;
@@ -333,14 +317,6 @@ Index redundant_link(const Model& model, const State& state) {
     if (!(pivots[i] > 1e-11))
       return links.link[static_cast<std::size_t>(factor.permutationPinv().indices()[i])];
   return no_link;
-}
-
-}  // namespace
-
-Index undetermined_link(const Model& model, const State& state) {
-  const Index redundant = redundant_link(model, state);
-  if (redundant == no_link) return no_link;
-  return Equations(model, state).fits(state) ? no_link : redundant;
 }
 
 }  // namespace taut

@@ -47,9 +47,6 @@ class Equations {
   bool settle(double time, const Vectors& position, double slow, Vectors& velocity,
               std::vector<HeldStop>& held);
 
-  /// Whether the accelerations that were found for a net whose system is singular keep its lengths.
-  bool fits(const State& state);
-
   Index worst_link() const { return worst_link_; }
   std::size_t rows() const { return system_.links.size(); }
 
@@ -82,10 +79,8 @@ class Equations {
   std::vector<LimitRow> rows_;
 };
 
-/// A rigid link whose tension is not to be known at a state, though the motion asks for it: one that, in the
-/// order of a factorisation, those before it leave no say, along a path or a tree, or in a net in which no
-/// tensions bring all links what they need. (In other nets any that do so give the same motion; those of a
-/// tiny compliance are taken.) no_link where none is.
-Index undetermined_link(const Model& model, const State& state);
+/// What tells that rigid links say the same twice, at the positions of a state: the first of them, in the
+/// order of a factorisation, that those before it leave no say. no_link where none is.
+Index redundant_link(const Model& model, const State& state);
 
 }  // namespace taut
