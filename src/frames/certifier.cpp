@@ -47,14 +47,11 @@ class SecondRun {
   double own_error() const { return own_error_; }
   std::string problem() const { return fine_.failure(); }
   // Predicted, of both (s).
-  double spent(const Model& model) const { return spent_by(model, fine_) + spent_by(model, coarse_); }
-
- private:
-  static double spent_by(const Model& model, const Run& run) {
-    return predicted_seconds(model, run.settings().method, run.report().counts,
-                             static_cast<double>(run.steps()));
+  double spent(const Model& model) const {
+    return predicted_seconds(model, fine_) + predicted_seconds(model, coarse_);
   }
 
+ private:
   Run fine_, coarse_;
   double error_share_;
   double own_error_ = 0.0;

@@ -66,11 +66,6 @@ BadLength worst_length(const Model& model, const State& state) {
   return worst;
 }
 
-std::string link_name(const Model& model, std::size_t link) {
-  return fmt::format("{} – {}", model.masses.name[model.links.a[link]],
-                     model.masses.name[model.links.b[link]]);
-}
-
 std::string wrong_at_start(const Scene& scene, const State& failed) {
   constexpr double noticeable = 0.01, soon = 0.5;
   const BadLength worst = worst_length(scene.model, scene.start);

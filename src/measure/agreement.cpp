@@ -45,13 +45,9 @@ std::optional<std::vector<State>> states_within(const Model& model, const State&
                                                 const Settings& settings, const std::vector<double>& times,
                                                 double most_seconds, const StopTest& stop, double& work) {
   Run run(model, start, settings, chart_policy);
-  const auto spent = [&] {
-    return work = predicted_seconds(model, settings.method, run.report().counts,
-                                    static_cast<double>(run.steps()));
-  };
   const StopTest enough = [&] {
     stop_if_told(stop);
-    return spent() > most_seconds;
+    return (work = predicted_seconds(model, run)) > most_seconds;
   };
   std::vector<State> states;
   for (const double time : times) {
@@ -59,7 +55,7 @@ std::optional<std::vector<State>> states_within(const Model& model, const State&
     if (!state) return std::nullopt;
     states.push_back(run.reported(*state));
   }
-  spent();
+  work = predicted_seconds(model, run);
   return states;
 }
 

@@ -53,6 +53,11 @@ double predicted_seconds(const Model& model, std::string_view method, const Step
                  (model.wind ? wind_step * steps * static_cast<double>(model.triangles.size()) : 0.0));
 }
 
+double predicted_seconds(const Model& model, const Run& run) {
+  return predicted_seconds(model, run.settings().method, run.report().counts,
+                           static_cast<double>(run.steps()));
+}
+
 double predicted_seconds(const Model& model, std::string_view method, double steps, std::int64_t passes) {
   StepReport counts;
   counts.link_solves =

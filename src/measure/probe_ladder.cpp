@@ -178,15 +178,12 @@ double ProbeLadder::next_work(const ProbeScene& scene) const {
 
 // The run at the present step; nothing where it fails.
 std::optional<Probe> ProbeLadder::made(const ProbeScene& scene, double most_seconds, const StopTest& stop) {
-  const std::string& method = candidate_.settings.method;
   Probe probe;
   probe.rate = rate_;
   last_work_ = 0.0;
   try {
     Run run(scene.model, scene.start, settings_at(scene.model, rate_), chart_policy);
-    const auto work = [&] {
-      return predicted_seconds(scene.model, method, run.report().counts, static_cast<double>(run.steps()));
-    };
+    const auto work = [&] { return predicted_seconds(scene.model, run); };
     std::int64_t looked_at = 0;
     const auto enough = [&] {
       stop_if_told(stop);

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "base/failure.h"
+#include "base/vector_operations.h"
 #include "measure/cost.h"
 #include "measure/events.h"
 #include "methods/registry.h"
@@ -86,10 +87,7 @@ struct Integrated {
 
 // The smallest tolerance that positions can be told apart by (m).
 double least_tolerance(const State& start) {
-  double farthest = 0.0;
-  for (std::size_t i = 0; i < start.position.size(); ++i)
-    farthest = std::max(farthest, start.position.at(i).lpNorm<Eigen::Infinity>());
-  return std::max(1e-14, 8.0 * std::numeric_limits<double>::epsilon() * farthest);
+  return std::max(1e-14, 8.0 * std::numeric_limits<double>::epsilon() * largest_coordinate(start.position));
 }
 
 Integrated integrate(const Model& model, const State& start, const std::vector<double>& times,
@@ -98,12 +96,9 @@ Integrated integrate(const Model& model, const State& start, const std::vector<d
   result.tolerance = std::max(tolerance, least_tolerance(start));
   const auto within = [](double metres) { return complete_settings({"dop853", {{"tolerance", metres}}}); };
   Run loose(model, start, within(10.0 * result.tolerance)), tight(model, start, within(result.tolerance));
-  const auto seconds = [&](const Run& run) {
-    return predicted_seconds(model, "dop853", run.report().counts, static_cast<double>(run.steps()));
-  };
   const StopTest enough = [&] {
     stop_if_told(stop);
-    return seconds(tight) > most_seconds;
+    return predicted_seconds(model, tight) > most_seconds;
   };
   for (const double time : times) {
     const std::optional<State> other = loose.at(time, enough), state = tight.at(time, enough);
@@ -122,7 +117,7 @@ Integrated integrate(const Model& model, const State& start, const std::vector<d
     result.distance = std::max(result.distance, distance);
     result.states.push_back(*state);
   }
-  result.spent = seconds(tight) / most_seconds;
+  result.spent = predicted_seconds(model, tight) / most_seconds;
   return result;
 }
 

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/vector_operations.h"
 #include "high_order/stepper.h"
 #include "methods/method.h"
 
@@ -34,15 +35,8 @@ std::unique_ptr<Stepper> make_dop853(const Model& model, const Settings& setting
   return std::make_unique<HighOrderStepper>(model, settings.number("tolerance"));
 }
 
-std::string link_name(const Model& model, Index link) {
-  return fmt::format("{} – {}", model.masses.name[model.links.a[link]],
-                     model.masses.name[model.links.b[link]]);
-}
-
 std::string dop853_refusal(const Model& model, const State& start, const Settings& settings) {
-  double farthest = 0.0;
-  for (std::size_t i = 0; i < start.position.size(); ++i)
-    farthest = std::max(farthest, start.position.at(i).lpNorm<Eigen::Infinity>());
+  const double farthest = largest_coordinate(start.position);
   const double least = 4.0 * std::numeric_limits<double>::epsilon() * farthest;
   if (settings.number("tolerance") < least)
     return fmt::format(

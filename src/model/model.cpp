@@ -36,6 +36,10 @@ bool touches_only_ground(const Model& model) {
   return std::ranges::all_of(model.colliders, as_ground) && std::ranges::all_of(model.contacts, is_plain);
 }
 
+std::string link_name(const Model& model, std::size_t link) {
+  return model.masses.name[model.links.a[link]] + " – " + model.masses.name[model.links.b[link]];
+}
+
 std::vector<Index> solvable_links(const Model& model) {
   std::vector<Index> links;
   for (std::size_t i = 0; i < model.links.size(); ++i)

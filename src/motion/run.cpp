@@ -293,8 +293,7 @@ std::string Run::failure() const {
         energy(model_, state()).kinetic / energy_at_hand());
   std::string where;
   if (const Index link = report_.counts.worst_link; link != no_link)
-    where = fmt::format(" at the link {} – {}", model_.masses.name[model_.links.a[link]],
-                        model_.masses.name[model_.links.b[link]]);
+    where = " at the link " + link_name(model_, link);
   const bool halved = policy_.most_halvings > 0 && method_.can.takes_steps_back;
   const std::string length =
       method_.can.chooses_steps ? "" : fmt::format(" by {:.3g} s", 1.0 / steps_per_second_);

@@ -58,20 +58,6 @@ Description spinning_ring() {
   return description;
 }
 
-Description mixed_chain() {
-  Description description = level_chain(4, 0.25);
-  description.drag = 0.5;
-  MassSpec bob;
-  bob.name = "bob";
-  bob.position = {1.0, -0.5, 0.0};
-  description.masses = {bob};
-  LinkProperties soft;
-  soft.stiffness = 300.0;
-  soft.damping = 1.0;
-  description.links = {LinkSpec{"rope.4", "bob", 0.5, soft}};
-  return description;
-}
-
 Description driven_chain() {
   Description description = level_chain(5, 0.2);
   description.chains[0].first_motion.sinusoid = SinusoidSpec{{0.0, 0.05, 0.02}, 8.0, 0.0};

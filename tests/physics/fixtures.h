@@ -108,6 +108,21 @@ inline Description level_chain(int links, double link_length) {
   return description;
 }
 
+/// A chain, a damped spring at its end with a mass on it, and drag.
+inline Description mixed_chain() {
+  Description description = level_chain(4, 0.25);
+  description.drag = 0.5;
+  MassSpec bob;
+  bob.name = "bob";
+  bob.position = {1.0, -0.5, 0.0};
+  description.masses = {bob};
+  LinkProperties soft;
+  soft.stiffness = 300.0;
+  soft.damping = 1.0;
+  description.links = {LinkSpec{"rope.4", "bob", 0.5, soft}};
+  return description;
+}
+
 /// Two free masses, 1 kg and 3 kg, on a link of 1 m, spinning and drifting without gravity.
 inline Description spinning_dumbbell() {
   Description description;

@@ -32,17 +32,8 @@ TEST(Reference, ChainOfTwentyLinksIsCertified) {
 }
 
 TEST(Reference, DrivenPinsSpringsAndDragAreCertified) {
-  Description description = level_chain(4, 0.25);
-  description.drag = 0.5;
+  Description description = mixed_chain();
   description.chains[0].first_motion.sinusoid = SinusoidSpec{{0.0, 0.05, 0.0}, 8.0, 0.0};
-  MassSpec bob;
-  bob.name = "bob";
-  bob.position = {1.0, -0.5, 0.0};
-  description.masses = {bob};
-  LinkProperties soft;
-  soft.stiffness = 300.0;
-  soft.damping = 1.0;
-  description.links = {LinkSpec{"rope.4", "bob", 0.5, soft}};
   const Reference reference =
       make_reference(build_valid(description).model, build_valid(description).start, {0.5}, 1e-6);
   EXPECT_TRUE(reference.certified()) << reference.refusal;

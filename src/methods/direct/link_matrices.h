@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include "direct/link_topology.h"
 
@@ -24,6 +25,11 @@ std::unique_ptr<LinkMatrix> make_tree_matrix(const Model& model, const SystemLin
 
 /// An order of any links that fills their matrix little when it is factorised: their places in it.
 std::vector<Index> net_order(const SystemLinks& links, std::size_t mass_count);
+
+/// The place of the first link, in the order of a factorisation, whose row those before it leave no say
+/// (nothing where none is): of any links along their directions.
+std::optional<std::size_t> dependent_row(const SystemLinks& links, const Vectors& directions,
+                                         std::size_t mass_count);
 
 /// For links in that order.
 std::unique_ptr<LinkMatrix> make_net_matrix(const SystemLinks& links, std::size_t mass_count);

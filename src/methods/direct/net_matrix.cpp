@@ -5,8 +5,10 @@
 // results depend on it.
 
 #include <Eigen/OrderingMethods>
+#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "direct/link_matrices.h"
@@ -104,6 +106,29 @@ std::vector<Index> net_order(const SystemLinks& links, std::size_t mass_count) {
   const SparseMatrix upper = pattern(links.size(), shared_masses(links, mass_count));
   Eigen::AMDOrdering<int>()(upper.selfadjointView<Eigen::Upper>(), order);
   return {order.indices().begin(), order.indices().end()};
+}
+
+std::optional<std::size_t> dependent_row(const SystemLinks& links, const Vectors& directions,
+                                         std::size_t mass_count) {
+  if (links.size() == 0) return std::nullopt;
+  // Rows of unit length in the metric of mass, so that pivots can be compared.
+  std::vector<double> scale;
+  for (std::size_t i = 0; i < links.size(); ++i)
+    scale.push_back(1.0 /
+                    std::sqrt((links.weight_a[i] + links.weight_b[i]) * directions.at(i).squaredNorm()));
+  const std::vector<Pair> pairs = shared_masses(links, mass_count);
+  SparseMatrix matrix = pattern(links.size(), pairs);
+  for (Eigen::Index i = 0; i < matrix.nonZeros(); ++i) matrix.valuePtr()[i] = 0.0;
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) matrix.coeffRef(i, i) = 1.0;
+  for (const Pair& pair : pairs)
+    matrix.coeffRef(static_cast<Eigen::Index>(pair.row), static_cast<Eigen::Index>(pair.column)) +=
+        pair.weight * directions.at(pair.row).dot(directions.at(pair.column)) * scale[pair.row] *
+        scale[pair.column];
+  const Eigen::SimplicialLDLT<SparseMatrix, Eigen::Upper> factor(matrix);
+  const auto pivots = factor.vectorD();
+  for (Eigen::Index i = 0; i < pivots.size(); ++i)
+    if (!(pivots[i] > 1e-11)) return static_cast<std::size_t>(factor.permutationPinv().indices()[i]);
+  return std::nullopt;
 }
 
 std::unique_ptr<LinkMatrix> make_net_matrix(const SystemLinks& links, std::size_t mass_count) {

@@ -1,10 +1,10 @@
 #include "high_order/equations.h"
 
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 
 #include "base/vector_operations.h"
+#include "direct/link_matrices.h"
 #include "direct/newton_rounds.h"
 #include "forces/free_acceleration.h"
 #include "model/limit_motion.h"
@@ -17,13 +17,6 @@ constexpr int most_rounds = 8;
 constexpr double still = 1e-14;
 // How near a stop is touched (rad).
 constexpr double touching = 1e-10;
-
-double largest(const Vectors& vectors) {
-  double size = 0.0;
-  for (const auto* axis : {&vectors.x, &vectors.y, &vectors.z})
-    if (!axis->empty()) size = std::max(size, all_of(*axis).abs().maxCoeff());
-  return size;
-}
 
 }  // namespace
 
@@ -164,7 +157,7 @@ bool Equations::project_positions(Vectors& position) {
 // With the matrix where positions were before their last round; what that leaves is taken by another.
 bool Equations::project_velocities(const Vectors& position, Vectors& velocity) {
   const SystemLinks& links = system_.links;
-  const double most = still * largest(velocity);
+  const double most = still * largest_coordinate(velocity);
   rows_ = hard_rows(hard_, position);
   double last = infinity;
   for (int round = 0; round < most_rounds; ++round) {
@@ -205,7 +198,7 @@ bool Equations::answer(const std::vector<LimitRow>& touched, const Wanted& wante
   for (const LimitRow& row : touched)
     for (std::size_t k = 0; k < model_.limits[row.limit].count; ++k)
       steepest = std::max(steepest, row.along.gradient[k].norm());
-  const double none = 1e-12 * steepest * largest(given);
+  const double none = 1e-12 * steepest * largest_coordinate(given);
   for (std::size_t i = 0; i < touched.size(); ++i) pushing[i] = wanted(i, given) > 0.0;
   const std::size_t most_pivots = 8 * (touched.size() + 1) * (touched.size() + 1);
   for (std::size_t pivot = 0; pivot < most_pivots; ++pivot) {
@@ -288,35 +281,10 @@ bool Equations::settle(double time, const Vectors& position, double slow, Vector
 
 Index redundant_link(const Model& model, const State& state) {
   const SystemLinks links = gather(model, whole_rigid_links(model, state));
-  if (links.size() == 0) return no_link;
   Vectors direction;
   link_vectors(links, state.position, direction);
-  std::vector<std::vector<std::pair<std::size_t, double>>> at(model.masses.size());  // link, ± w_m
-  std::vector<Eigen::Triplet<double>> entries;
-  const auto as_index = [](std::size_t i) { return static_cast<int>(i); };
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    if (links.weight_a[i] > 0.0) at[links.a[i]].emplace_back(i, links.weight_a[i]);
-    if (links.weight_b[i] > 0.0) at[links.b[i]].emplace_back(i, -links.weight_b[i]);
-  }
-  // Rows of unit length in the metric of mass, so that pivots can be compared.
-  std::vector<double> scale;
-  for (std::size_t i = 0; i < links.size(); ++i)
-    scale.push_back(1.0 / std::sqrt((links.weight_a[i] + links.weight_b[i]) * direction.at(i).squaredNorm()));
-  for (const auto& here : at)
-    for (const auto& [i, weight_i] : here)
-      for (const auto& [j, weight_j] : here)
-        if (i >= j)
-          entries.emplace_back(as_index(i), as_index(j),
-                               (weight_i * weight_j > 0.0 ? 1.0 : -1.0) * std::abs(weight_i) *
-                                   direction.at(i).dot(direction.at(j)) * scale[i] * scale[j]);
-  Eigen::SparseMatrix<double> matrix(as_index(links.size()), as_index(links.size()));
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(matrix);
-  const auto pivots = factor.vectorD();
-  for (Eigen::Index i = 0; i < pivots.size(); ++i)
-    if (!(pivots[i] > 1e-11))
-      return links.link[static_cast<std::size_t>(factor.permutationPinv().indices()[i])];
-  return no_link;
+  const auto place = dependent_row(links, direction, model.masses.size());
+  return place ? links.link[*place] : no_link;
 }
 
 }  // namespace taut

@@ -226,8 +226,14 @@ StepReport HighOrderStepper::step(double h, double end_time) {
     }
   }
   state_.own_steps.next = next;
+  if (!event) {
+    take_over(made);
+    return report;
+  }
+  const State given = state_;
   take_over(made);
-  if (event) pass_event(report);
+  pass_event(report);
+  if (report.status != StepStatus::done) load(given);
   return report;
 }
 
@@ -248,21 +254,21 @@ void HighOrderStepper::take_over(double h) {
 }
 
 // What happens at an event: links are told of, and left to the run; stops are settled anew.
-bool HighOrderStepper::pass_event(StepReport& report) {
+void HighOrderStepper::pass_event(StepReport& report) {
   breaking_ = watch_.breaking(state_.position, *equations_);
-  if (!breaking_.empty()) return true;
+  if (!breaking_.empty()) return;
   crowded_ = state_.time - last_event_ < crowd ? crowded_ + 1 : 0;
   last_event_ = state_.time;
   if (crowded_ > most_crowded) {
     report.status = StepStatus::chattering;
-    return false;
+    return;
   }
   if (!equations_->settle(state_.time, state_.position, crowded_ < a_crowd ? slow : slow_in_a_crowd,
                           state_.velocity, state_.own_steps.held)) {
     report.status = StepStatus::not_converged;
-    return false;
+    return;
   }
-  return look_again(report);
+  look_again(report);
 }
 
 State HighOrderStepper::between(double time) {

@@ -64,7 +64,7 @@ class HighOrderStepper final : public Stepper {
   double past_between(double share, StepReport& report);
   bool prepare_interpolant(StepReport& report);
   void take_over(double h);
-  bool pass_event(StepReport& report);
+  void pass_event(StepReport& report);
 
   const Model& model_;
   double tolerance_;

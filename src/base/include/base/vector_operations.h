@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <vector>
 
 #include "base/vectors.h"
@@ -51,6 +52,14 @@ inline void scaled_difference(double factor, const Vectors& a, const Vectors& b,
         for (std::size_t i = 0; i < u.size(); ++i) difference[i] = (u[i] - v[i]) * factor;
       },
       a, b, result);
+}
+
+/// The largest |coordinate| of all; 0 of none.
+inline double largest_coordinate(const Vectors& vectors) {
+  double largest = 0.0;
+  for (const auto* axis : {&vectors.x, &vectors.y, &vectors.z})
+    if (!axis->empty()) largest = std::max(largest, all_of(*axis).abs().maxCoeff());
+  return largest;
 }
 
 /// The sum of the squares of all coordinates, vector after vector.

@@ -5,6 +5,7 @@
 
 #include "methods/method.h"
 #include "model/model.h"
+#include "motion/run.h"
 
 namespace taut {
 
@@ -15,6 +16,9 @@ namespace taut {
 /// and rows³; limits and contact points have prices of their own. The prices of each method are fitted to the
 /// cases of charts and mostly within a factor of two of them.
 double predicted_seconds(const Model& model, std::string_view method, const StepReport& counts, double steps);
+
+/// What a run has cost so far.
+double predicted_seconds(const Model& model, const Run& run);
 
 /// The same before anything has run: so many steps, with so many passes, or rounds of a direct solve, each.
 double predicted_seconds(const Model& model, std::string_view method, double steps, std::int64_t passes);

@@ -140,6 +140,9 @@ const HalfSpace* as_ground(const Collider& collider);
 /// masses: what methods that know only the ground can do.
 bool touches_only_ground(const Model& model);
 
+/// A link by its masses, for people: "rope.1 – rope.2".
+std::string link_name(const Model& model, std::size_t link);
+
 /// The links that a method solves: every one that has at least one free end.
 std::vector<Index> solvable_links(const Model& model);
 
