@@ -33,7 +33,7 @@ struct Variant {
 
 // A part that the method can't be without (stiffness, for a method of springs) has no time without it.
 bool can_do(const Scene& scene, const Model& model) {
-  return capability_problems(model, *find_method(scene.settings.method)).empty();
+  return refusals(model, scene.start, scene.settings).empty();
 }
 
 }  // namespace

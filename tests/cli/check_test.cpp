@@ -63,6 +63,13 @@ TEST_F(CheckTest, ASceneThatLeavesItsMethodOpenIsPlanned) {
   EXPECT_NE(ran.err.find("of the size"), std::string::npos) << ran.err;
 }
 
+// Without stiffness its diagonals would say the same twice, which dop853 refuses: then that has no time.
+TEST_F(CheckTest, ExplainsWhatTheMethodCanNotBeWithout) {
+  const Ran ran = taut({"check", "curtain", "--method", "dop853", "--explain", "--quiet", "--json"});
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  EXPECT_TRUE(Json::parse(ran.out)[0].contains("explanation")) << ran.out.substr(0, 500);
+}
+
 TEST_F(CheckTest, JsonHasAnObjectForEveryScene) {
   const Ran ran = taut({"check", good_, failing_, bad_, "--run", "--json"});
   EXPECT_EQ(ran.status, 2) << "the worst of them";
