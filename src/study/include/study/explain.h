@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "base/stop.h"
 #include "scene/scene.h"
 
 namespace taut {
