@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -9,10 +11,12 @@
 #include "base/failure.h"
 #include "command_line.h"
 #include "exit_status.h"
+#include "flags.h"
 #include "host/machine.h"
 #include "host/progress.h"
 #include "interrupted.h"
 #include "methods/simd.h"
+#include "study/frame_speed.h"
 #include "study/speed.h"
 #include "values.h"
 #include "verbs.h"
@@ -20,30 +24,51 @@
 namespace taut {
 namespace {
 
+// What `taut render` is shown off with.
+constexpr std::array<const char*, 3> showcases{"hanging-chain", "curtain", "breaking-cloth"};
+
 struct BenchFlags {
-  std::string seconds = "0.3";
+  std::string seconds = "0.3", frames = "60";
   bool json = false, quiet = false;
 };
 
-void print_table(const std::vector<Speed>& speeds) {
+// What was measured.
+struct Measured {
+  std::vector<Speed> speeds;
+  std::vector<FrameSpeed> frames;
+};
+
+void print_frames(const std::vector<FrameSpeed>& speeds) {
+  for (const FrameSpeed& speed : speeds) {
+    const double frames = static_cast<double>(speed.frames);
+    fmt::print("\n{}: {} frames and a film at {}x{}: {:.1f} frames/s, the first file after {:.2f} s\n",
+               speed.scene, speed.frames, speed.size.width, speed.size.height, frames / speed.seconds,
+               speed.first_file);
+    fmt::print("  ms of a processor a frame:");
+    for (const StageTime& stage : speed.stages)
+      fmt::print(" {} {:.1f}", stage.name, 1000.0 * stage.seconds / frames);
+    fmt::print("\n");
+  }
+}
+
+void print_table(const Measured& measured) {
   const Machine machine = this_machine();
   fmt::print("{}, {} cores, {}; steps of one pass at 2400 steps/s\n", machine.processor, machine.threads,
              simd_targets().front());
   fmt::print("{:<20} {:<12} {:>7} {:>9} {:>12} {:>12}\n", "model", "method", "threads", "links", "µs a step",
              "ns a link");
-  for (const Speed& speed : speeds)
+  for (const Speed& speed : measured.speeds)
     fmt::print("{:<20} {:<12} {:>7} {:>9} {:>12.1f} {:>12.2f}\n", speed.model, speed.method, speed.threads,
                speed.links, 1e6 * speed.step, 1e9 * speed.per_link);
+  print_frames(measured.frames);
 }
 
-void print_json(const std::vector<Speed>& speeds) {
+void print_json(const Measured& measured) {
+  using Json = nlohmann::ordered_json;
   const Machine machine = this_machine();
-  nlohmann::ordered_json json{{"processor", machine.processor},
-                              {"cores", machine.threads},
-                              {"simd", simd_targets().front()},
-                              {"build", machine.build},
-                              {"speeds", nlohmann::ordered_json::array()}};
-  for (const Speed& speed : speeds)
+  Json json{{"processor", machine.processor}, {"cores", machine.threads}, {"simd", simd_targets().front()},
+            {"build", machine.build},         {"speeds", Json::array()},  {"frames", Json::array()}};
+  for (const Speed& speed : measured.speeds)
     json["speeds"].push_back({{"model", speed.model},
                               {"method", speed.method},
                               {"threads", speed.threads},
@@ -51,7 +76,31 @@ void print_json(const std::vector<Speed>& speeds) {
                               {"links", speed.links},
                               {"seconds_per_step", speed.step},
                               {"seconds_per_link", speed.per_link}});
+  for (const FrameSpeed& speed : measured.frames) {
+    Json& scene = json["frames"].emplace_back(Json{{"scene", speed.scene},
+                                                   {"width", speed.size.width},
+                                                   {"height", speed.size.height},
+                                                   {"frames", speed.frames},
+                                                   {"seconds", speed.seconds},
+                                                   {"seconds_to_first_file", speed.first_file}});
+    for (const StageTime& stage : speed.stages)
+      scene["stage_seconds"][std::string(stage.name)] = stage.seconds;
+  }
   fmt::print("{}\n", json.dump(2));
+}
+
+std::vector<FrameSpeed> measure_showcases(int frames, bool quietly, const StopTest& stop) {
+  if (frames == 0) return {};
+  std::vector<Scene> scenes;
+  scenes.reserve(showcases.size());
+  for (const char* name : showcases) scenes.push_back(load(name, {}));
+  Progress progress(stderr, progress_style(stderr, quietly), "showcases");
+  progress.start(static_cast<int>(scenes.size()));
+  int count = 0;
+  std::vector<FrameSpeed> speeds = measure_frames(
+      scenes, frames, static_cast<int>(this_machine().threads), [&] { progress.update(++count); }, stop);
+  progress.finish();
+  return speeds;
 }
 
 int bench(const BenchFlags& flags) {
@@ -59,6 +108,10 @@ int bench(const BenchFlags& flags) {
   const double seconds = parse_seconds("--seconds", flags.seconds);
   if (!(seconds > 0.0 && seconds <= longest))
     throw BadRequest(fmt::format("--seconds is above 0 and at most {}, not {}", longest, flags.seconds));
+  constexpr double most = 1000.0;
+  const double frames = parse_number("--frames", flags.frames);
+  if (!(frames >= 0.0 && frames <= most) || frames != std::floor(frames))
+    throw BadRequest(fmt::format("--frames is a whole number from 0 to {}, not {}", most, flags.frames));
   const InterruptWatch interrupts(end_at_once);
   return unless_interrupted(interrupts, "nothing was measured", [&] {
     Progress progress(stderr, progress_style(stderr, flags.quiet), "ways of running a model");
@@ -67,9 +120,11 @@ int bench(const BenchFlags& flags) {
       progress.update(static_cast<int>(count));
     };
     const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    const std::vector<Speed> speeds = measure_speed(seconds, threads, done, stop_test(interrupts));
+    Measured measured;
+    measured.speeds = measure_speed(seconds, threads, done, stop_test(interrupts));
     progress.finish();
-    flags.json ? print_json(speeds) : print_table(speeds);
+    measured.frames = measure_showcases(static_cast<int>(frames), flags.quiet, stop_test(interrupts));
+    flags.json ? print_json(measured) : print_table(measured);
     return exit_done;
   });
 }
@@ -78,8 +133,11 @@ int bench(const BenchFlags& flags) {
 
 void add_bench(CommandLine& program) {
   const auto flags = std::make_shared<BenchFlags>();
-  Verb* verb = program.add_subcommand("bench", "How fast the methods are on this machine");
-  verb->add_option("--seconds", flags->seconds, "Time to spend on each, such as 0.3s")->capture_default_str();
+  Verb* verb = program.add_subcommand("bench", "How fast methods, frames and films are on this machine");
+  verb->add_option("--seconds", flags->seconds, "Time to spend on each method, such as 0.3s")
+      ->capture_default_str();
+  verb->add_option("--frames", flags->frames, "Frames to make of each showcase, with a film; 0: none")
+      ->capture_default_str();
   verb->add_flag("--json", flags->json, "Print JSON on stdout");
   verb->add_flag("--quiet", flags->quiet, "No progress");
   verb->footer("Numbers mean something only on a machine that does nothing else.\n\nExample:\n  taut bench");

@@ -41,7 +41,7 @@ struct Instant {
 std::vector<Instant> instants(const ExportFlags& flags, const Scene& scene) {
   std::vector<Instant> result;
   if (flags.times.empty()) {
-    const double rate = parse_number("--fps", flags.rate);
+    const FrameRate rate = parse_frame_rate("--fps", flags.rate);
     for (const int frame : all_frames(frame_count(scene.duration, rate)))
       result.push_back({frame, frame_time(frame, rate)});
     return result;
@@ -164,7 +164,8 @@ void add_export(CommandLine& program) {
   verb->add_option("--table", flags->table, "masses, links or orientations")->capture_default_str();
   verb->add_option("--times", flags->times,
                    "These instants, exactly, such as 0.5,1.0; else those of all frames");
-  verb->add_option("--fps", flags->rate, "Frames per second")->capture_default_str();
+  verb->add_option("--fps", flags->rate, "Frames per second, such as 30 or 24000/1001")
+      ->capture_default_str();
   verb->add_option("-o,--output", flags->file, "The file; replaced when it exists [stdout]");
   flags->plan.add_to(*verb);
   add_certify(*verb, flags->certify);

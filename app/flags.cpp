@@ -43,9 +43,9 @@ Quality parse_quality(const std::string& text) {
   not_one_of("--quality", text, names);
 }
 
-GlBackend parse_backend(const std::string& text) {
-  if (const auto backend = gl_backend_named(text)) return *backend;
-  constexpr std::array<std::string_view, 3> names{"auto", "osmesa", "egl"};
+GlChoice parse_gl(const std::string& text) {
+  if (const auto choice = gl_choice_named(text)) return *choice;
+  constexpr std::array<std::string_view, 4> names{"auto", "osmesa", "egl", "egl:0"};
   not_one_of("--gl", text, names);
 }
 
@@ -99,14 +99,16 @@ void print_notes(const Scene& scene, bool quiet) {
 }
 
 void PictureFlags::add_to(Verb& verb) {
-  auto* size_option = verb.add_option("--size", size, "Width and height in pixels, such as 1280x720");
-  verb.add_option("--quality", quality,
-                  "draft (640x360, jagged, no shadows), standard (1280x720) or fine (1920x1080)")
-      ->excludes(size_option);
+  verb.add_option("--size", size, "Width and height in pixels, such as 1280x720, instead of the quality's");
+  verb.add_option(
+      "--quality", quality,
+      "draft (640x360, jagged, no shadows), standard (1280x720) or fine (1920x1080, twice the samples)");
   verb.add_option("--color,--colour", colour,
                   "Colour by plain, strain, tension or speed instead of as the scene says");
   verb.add_flag("--transparent", transparent, "Nothing behind the scene; PNG with alpha");
-  verb.add_option("--gl", backend, "How to get OpenGL without a display: osmesa, egl or auto")
+  verb.add_option(
+          "--gl", gl,
+          "How to get OpenGL without a display: osmesa, egl, egl:N (a device of `taut list gl`) or auto")
       ->capture_default_str();
   verb.add_option("--shaders", shader_folder,
                   "Draw with the shaders of this folder instead of the built-in ones");
@@ -114,12 +116,12 @@ void PictureFlags::add_to(Verb& verb) {
 
 PictureSettings PictureFlags::settings(std::optional<Size> usual) const {
   PictureSettings settings;
-  settings.render = render_settings_for(parse_quality(quality));
-  if (quality.empty() && usual) settings.render.size = *usual;
-  if (!size.empty()) settings.render.size = parse_size("--size", size);
-  check_size(settings.render.size);
+  std::optional<Size> wanted = quality.empty() ? usual : std::nullopt;
+  if (!size.empty()) wanted = parse_size("--size", size);
+  if (wanted) check_size(*wanted);
+  settings.render = render_settings_for(parse_quality(quality), wanted);
   settings.render.transparent = transparent;
-  settings.backend = parse_backend(backend);
+  settings.gl = parse_gl(gl);
   settings.shader_folder = shader_folder;
   return settings;
 }

@@ -41,7 +41,7 @@ void print_notes(const Scene& scene, bool quiet);
 
 /// How pictures are made.
 struct PictureFlags {
-  std::string size, quality, colour, backend = "auto", shader_folder;
+  std::string size, quality, colour, gl = "auto", shader_folder;
   bool transparent = false;
 
   void add_to(Verb& verb);

@@ -13,6 +13,7 @@
 #include "exit_status.h"
 #include "host/scene_folder.h"
 #include "methods/registry.h"
+#include "render/gl_context.h"
 #include "scene/scene.h"
 #include "verbs.h"
 
@@ -136,18 +137,30 @@ void list_scenes(bool as_json) {
 }
 
 void list_keys(bool as_json) {
-  if (as_json) throw BadRequest("the keys are listed as Markdown; --json is for scenes and methods");
+  if (as_json) throw BadRequest("the keys are listed as Markdown; --json is for the others");
   fmt::print("{}", key_reference());
 }
 
+void list_gl(bool as_json) {
+  Json json = Json::array();
+  for (const GlDevice& device : gl_devices()) {
+    json.push_back({{"name", device.name}, {"description", device.description}, {"problem", device.problem}});
+    if (!as_json)
+      fmt::print("{:<8} {}\n", device.name, device.problem.empty() ? device.description : device.problem);
+  }
+  if (as_json) fmt::print("{}\n", json.dump(2));
+}
+
 int list(const ListFlags& flags) {
-  constexpr std::array<std::string_view, 3> known{"scenes", "methods", "keys"};
+  constexpr std::array<std::string_view, 4> known{"scenes", "methods", "keys", "gl"};
   if (flags.what == "scenes")
     list_scenes(flags.json);
   else if (flags.what == "methods")
     list_methods(flags.json);
   else if (flags.what == "keys")
     list_keys(flags.json);
+  else if (flags.what == "gl")
+    list_gl(flags.json);
   else {
     const std::string_view nearest = nearest_name(flags.what, known);
     throw BadRequest(fmt::format("list shows {}, not \"{}\"{}", fmt::join(known, ", "), flags.what,
@@ -159,9 +172,10 @@ int list(const ListFlags& flags) {
 }  // namespace
 
 void add_list(CommandLine& program) {
-  Verb* verb = program.add_subcommand("list", "What there is: scenes, methods, or the keys of a scene file");
+  Verb* verb = program.add_subcommand(
+      "list", "What there is: scenes, methods, the keys of a scene file, or ways to draw");
   const auto flags = std::make_shared<ListFlags>();
-  verb->add_option("WHAT", flags->what, "scenes, methods or keys")->required();
+  verb->add_option("WHAT", flags->what, "scenes, methods, keys or gl")->required();
   verb->add_flag("--json", flags->json, "Print an array of objects as JSON");
   verb->footer("Example:\n  taut list methods --json");
   verb->action([flags] { return list(*flags); });

@@ -5,7 +5,9 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "base/failure.h"
 #include "exit_status.h"
+#include "host/machine.h"
 #include "interrupted.h"
 #include "measures_json.h"
 #include "planning.h"
@@ -32,7 +34,7 @@ void print_json(std::span<const Scene> scenes, const RenderRequest& request, con
             {"film", nullptr},
             {"width", outcome.size.width},
             {"height", outcome.size.height},
-            {"frames_per_second", request.frames_per_second},
+            {"frames_per_second", request.rate.value()},
             {"seconds", outcome.seconds},
             {"inputs", outcome.inputs},
             {"last_state_hash", outcome.last_state_hash},
@@ -45,12 +47,33 @@ void print_json(std::span<const Scene> scenes, const RenderRequest& request, con
   } else if (!outcome.panels.empty()) {
     json["measures"] = measures_to_json(outcome.panels.front().measures, scenes.front());
   }
+  if (!outcome.stages.empty()) {
+    json["drawn_by"] = outcome.drawn_by;
+    // Of processors; what a frame took is this by the number of frames that were drawn.
+    for (const StageTime& stage : outcome.stages)
+      json["stage_seconds"][std::string(stage.name)] = stage.seconds;
+  }
   if (plan) json["plan"] = plan_to_json(*plan);
   if (certificate) json["certificate"] = certificate_to_json(*certificate);
   if (outcome.note) json["note"] = *outcome.note;
   if (request.folder) json["folder"] = request.folder->string();
   if (request.film && !outcome.stopped) json["film"] = request.film->string();
   fmt::print("{}\n", json.dump(2));
+}
+
+// Where the processors' time went, a frame.
+void print_stages(const RenderOutcome& outcome) {
+  const std::size_t drawn = outcome.drawn;
+  if (drawn == 0) return;
+  fmt::print(stderr, "drawn by {}\n{:.1f} frames/s; milliseconds of a processor a frame:", outcome.drawn_by,
+             static_cast<double>(drawn) / outcome.seconds);
+  double sum = 0.0;
+  for (const StageTime& stage : outcome.stages) {
+    const double milliseconds = 1000.0 * stage.seconds / static_cast<double>(drawn);
+    sum += milliseconds;
+    if (milliseconds >= 0.05) fmt::print(stderr, " {} {:.1f}", stage.name, milliseconds);
+  }
+  fmt::print(stderr, ", all {:.1f}\n", sum);
 }
 
 void print_summary(std::span<const Scene> scenes, const RenderRequest& request,
@@ -80,13 +103,17 @@ void print_failures(std::span<const Scene> scenes, const RenderOutcome& outcome)
 
 void OutputFlags::add_to(Verb& verb, const std::string& usual_folder) {
   verb.add_option("-o,--output", folder, fmt::format("Folder for the frames [{}]", usual_folder));
-  verb.add_option("--film", film, "Also make a film; its ending chooses .mp4, .webm, .gif or .webp");
+  verb.add_option(
+      "--film", film,
+      "Also make a film; its ending chooses .mp4, .webm, .gif or .webp, and - is standard output (as .mp4; "
+      "webm:- and gif:- otherwise)");
   verb.add_flag("--no-frames", no_frames, "Only the film, no PNG files");
   verb.add_option("--frames", selection, "Only these frames, such as 1-100:2,150");
   picture.add_to(verb);
-  verb.add_option("--fps", rate, "Frames per second")->capture_default_str();
+  verb.add_option("--fps", rate, "Frames per second, such as 30, 29.97 or 24000/1001")->capture_default_str();
   verb.add_flag("--overwrite", overwrite, "Replace frames and a film that are there already");
   verb.add_flag("--json", json, "Print a summary as JSON on stdout");
+  verb.add_flag("-v,--verbose", verbose, "Also say what drew, and where the time went");
   verb.add_flag("--quiet", quiet, "No progress and no summary");
 }
 
@@ -95,9 +122,12 @@ RenderRequest OutputFlags::request(const std::string& usual_folder, std::optiona
   if (!no_frames) request.folder = folder.empty() ? usual_folder : folder;
   if (!film.empty()) request.film = film;
   if (!selection.empty()) request.selection = selection;
-  request.frames_per_second = parse_number("--fps", rate);
+  request.rate = parse_frame_rate("--fps", rate);
   request.picture = picture.settings(usual);
+  if (json && (film == "-" || film.ends_with(":-")))
+    throw BadRequest("--film and --json can't both write to standard output");
   request.overwrite = overwrite;
+  request.cores = static_cast<int>(this_machine().threads);
   return request;
 }
 
@@ -122,6 +152,7 @@ int render_and_report(std::span<const Scene> scenes, const RenderRequest& reques
   if (certified != exit_done) return certified;
   if (flags.json) print_json(scenes, request, outcome, plan, certificate);
   if (!flags.quiet) print_summary(scenes, request, outcome);
+  if (flags.verbose && !flags.quiet) print_stages(outcome);
   if (plan && !flags.quiet) print_accuracy(*plan);
   if (certificate && !flags.quiet) print_certificate(*certificate);
   print_failures(scenes, outcome);

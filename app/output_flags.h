@@ -17,7 +17,7 @@ struct OutputFlags {
   PictureFlags picture;
   std::string folder, film, selection, rate = "30";
   bool certify = false;
-  bool no_frames = false, overwrite = false, json = false, quiet = false;
+  bool no_frames = false, overwrite = false, json = false, quiet = false, verbose = false;
 
   void add_to(Verb& verb, const std::string& usual_folder);
   /// Throws BadRequest. `usual` is the size of a picture where neither size nor quality is given.

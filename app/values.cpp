@@ -28,6 +28,16 @@ double parse_number(std::string_view flag, std::string_view text) {
   return *value;
 }
 
+FrameRate parse_frame_rate(std::string_view flag, std::string_view text) {
+  constexpr double most = 1000.0;
+  const std::optional<FrameRate> rate = frame_rate_from(text);
+  if (!rate || rate->value() > most)
+    throw BadRequest(fmt::format(
+        "{} needs frames per second such as 30, 29.97 or 24000/1001, more than 0 and at most {}, not \"{}\"",
+        flag, most, text));
+  return *rate;
+}
+
 double parse_seconds(std::string_view flag, std::string_view text) {
   const std::string_view number = text.ends_with('s') ? text.substr(0, text.size() - 1) : text;
   const auto value = whole_text_as<double>(number);

@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/frame_rate.h"
 #include "base/image.h"
 
 namespace taut {
@@ -11,6 +12,9 @@ namespace taut {
 
 /// A finite number, such as 29.97.
 double parse_number(std::string_view flag, std::string_view text);
+
+/// Frames a second: 30, 29.97 or 24000/1001; above 0 and at most 1000.
+FrameRate parse_frame_rate(std::string_view flag, std::string_view text);
 
 /// A time in seconds, with or without its unit: 1, 2.5s.
 double parse_seconds(std::string_view flag, std::string_view text);

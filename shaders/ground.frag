@@ -1,11 +1,10 @@
 #version 330 core
 // Ground with grid lines that fade where they would alias, and fog towards the horizon. What stops things is a
-// surface; what stops nothing is but lines on the mist, to see heights by.
-#include "lighting.glsl"
+// surface (SOLID); what stops nothing is but lines on the mist, to see heights by.
+#include "soft_shadow.glsl"
 
 uniform vec3 normal;
 uniform vec3 foot_and_height;
-uniform int solid;
 
 in vec3 point;
 in vec2 from_foot;
@@ -25,14 +24,13 @@ void main() {
   float mist = smoothstep(fog.x, fog.y, length(from_foot));
   vec2 at = (foot_and_height.xy + from_foot) / fog.z;
   float lines = min(0.6 * grid_lines(at, 0.012) + 0.8 * grid_lines(0.25 * at, 0.006), 1.0);
-  float reaching = light_reaching(point);
-  vec3 behind = sky_colour(normalize(point - eye.xyz));
-  vec3 colour;
-  if (solid != 0) {
-    vec3 albedo = ground.rgb * (1.0 - ground.w * lines);
-    colour = display_from_linear(lit(albedo, normal, normalize(eye.xyz - point), reaching, 0.0));
-  } else {
-    colour = behind * (1.0 - 0.7 * ground.w * lines) * mix(0.86, 1.0, reaching);
-  }
+  float reaching = light_reaching_across(place_in_map(point));
+  vec3 behind = sky_colour(normalize(point));
+#ifdef SOLID
+  vec3 albedo = ground.rgb * (1.0 - ground.w * lines);
+  vec3 colour = display_from_linear(lit(albedo, normal, normalize(-point), reaching, 0.0));
+#else
+  vec3 colour = behind * (1.0 - 0.7 * ground.w * lines) * mix(0.86, 1.0, reaching);
+#endif
   pixel = vec4(mix(colour, behind, mist), 1.0);
 }

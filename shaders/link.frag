@@ -15,5 +15,9 @@ void main() {
   float height = sqrt(max(1.0 - offset * offset, 0.0));
   vec3 normal = normalize(across * offset + front * height);
   vec3 colour = lit(albedo, normal, normalize(to_eye), reaching, 0.15);
-  pixel = vec4(display_from_linear(colour), view.y > 1.5 ? fade : 1.0);
+#ifdef MULTISAMPLED
+  pixel = vec4(display_from_linear(colour), fade);
+#else
+  pixel = vec4(display_from_linear(colour), 1.0);
+#endif
 }

@@ -30,7 +30,7 @@ void main() {
   offset = side;
 
   albedo = linear_from_display(colour.rgb);
-  reaching = light_reaching(0.5 * (start.xyz + end) + to_light.xyz * (radius + 2.0 * shadow.z));
+  reaching = light_reaching(place_in_map(0.5 * (start.xyz + end) + to_light * (radius + 2.0 * shadow.z)));
   // The ribbon lies in the plane of the cylinder's axis but has the depth of its front.
   gl_Position = view_projection * vec4(position + across * (side * half_width), 1.0);
   vec4 raised = view_projection * vec4(position + front * radius, 1.0);

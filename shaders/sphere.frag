@@ -13,14 +13,18 @@ out vec4 pixel;
 
 void main() {
   float coverage = clamp((1.0 - length(disc)) / softness + 0.5, 0.0, 1.0);
-  if (coverage <= (view.y > 1.5 ? 0.0 : 0.5)) discard;
+#ifdef MULTISAMPLED
+  if (coverage <= 0.0) discard;
+#else
+  if (coverage <= 0.5) discard;
+#endif
 
-  vec3 sight = normalize(point - eye.xyz);
-  vec3 to_centre = centre_and_radius.xyz - eye.xyz;
+  vec3 sight = normalize(point);
+  vec3 to_centre = centre_and_radius.xyz;
   float radius = centre_and_radius.w;
   float along = dot(sight, to_centre);
   float depth_inside = sqrt(max(radius * radius - dot(to_centre, to_centre) + along * along, 0.0));
-  vec3 hit = eye.xyz + sight * (along - depth_inside);
+  vec3 hit = sight * (along - depth_inside);
   vec3 normal = normalize(hit - centre_and_radius.xyz);
 
   vec4 clip = view_projection * vec4(hit, 1.0);

@@ -30,6 +30,6 @@ void main() {
 
   centre_and_radius = sphere;
   albedo = linear_from_display(colour.rgb);
-  reaching = light_reaching(centre + to_light.xyz * (radius + 2.0 * shadow.z));
+  reaching = light_reaching(place_in_map(centre + to_light * (radius + 2.0 * shadow.z)));
   gl_Position = view_projection * vec4(point, 1.0);
 }

@@ -2,17 +2,26 @@
 // Cloth: two sides, a pattern, folds that darken in their hollows, a little light through the weave.
 #include "lighting.glsl"
 
-uniform vec3 front_colour, back_colour;  // as displayed
-uniform int pattern;                     // 0 plain, 1 checker, 2 woven
+// FRONT_COLOUR, BACK_COLOUR: as displayed. PATTERN: 1 checker, 2 woven; without it the cloth is plain. PAINTED: masses are coloured by what they do.
 
-in vec3 point;
+in vec3 to_eye;
 in vec3 front_normal;
-in vec2 weave;
-in vec4 painted;
 in float hollowness;
+#ifdef SHADOWS
+in vec2 in_light_map;
+
+uniform sampler2D light_map;  // the share of the light that reaches places of the cloth
+#endif
+#ifdef PATTERN
+in vec2 weave;
+#endif
+#ifdef PAINTED
+in vec3 painted;
+#endif
 
 out vec4 pixel;
 
+#ifdef PATTERN
 /// A square wave of period 2 between −1 and 1, averaged over `width`: the difference of its integral.
 vec2 averaged_square_wave(vec2 at, vec2 width) {
   vec2 low = at - 0.5 * width, high = at + 0.5 * width;
@@ -22,40 +31,48 @@ vec2 averaged_square_wave(vec2 at, vec2 width) {
 /// Brightness of the pattern, about 1.
 float pattern_shade() {
   vec2 width = max(fwidth(weave), vec2(1e-4));
-  if (pattern == 1) {
-    vec2 wave = averaged_square_wave(weave, width);
-    return 1.0 + 0.34 * wave.x * wave.y;
-  }
-  if (pattern == 2) {
-    // Threads pass over and under each other; each is round, so darker towards its edges.
-    vec2 fade = clamp(1.3 - 1.6 * width, 0.0, 1.0);
-    vec2 thread = abs(fract(weave) - 0.5) * 2.0;
-    vec2 wave = averaged_square_wave(weave, width);
-    float warp_on_top = 0.5 + 0.5 * wave.x * wave.y;
-    float roundness = mix(1.0 - 0.55 * thread.x * thread.x, 1.0 - 0.55 * thread.y * thread.y, warp_on_top);
-    float both = min(fade.x, fade.y);
-    return mix(1.0, (0.88 + 0.30 * warp_on_top) * roundness / 0.84, both);
-  }
-  return 1.0;
+  vec2 wave = averaged_square_wave(weave, width);
+#if PATTERN == 1
+  return 1.0 + 0.34 * wave.x * wave.y;
+#else
+  // Threads pass over and under each other; each is round, so darker towards its edges.
+  vec2 fade = clamp(1.3 - 1.6 * width, 0.0, 1.0);
+  vec2 thread = abs(fract(weave) - 0.5) * 2.0;
+  float warp_on_top = 0.5 + 0.5 * wave.x * wave.y;
+  float roundness = mix(1.0 - 0.55 * thread.x * thread.x, 1.0 - 0.55 * thread.y * thread.y, warp_on_top);
+  float both = min(fade.x, fade.y);
+  return mix(1.0, (0.88 + 0.30 * warp_on_top) * roundness / 0.84, both);
+#endif
 }
+#endif
 
 void main() {
   float side = gl_FrontFacing ? 1.0 : -1.0;
   vec3 normal = normalize(front_normal) * side;
-  vec3 to_eye = normalize(eye.xyz - point);
-  vec3 own = gl_FrontFacing ? front_colour : back_colour;
-  vec3 albedo = linear_from_display(mix(own, painted.rgb, painted.a)) * pattern_shade();
+#ifdef PAINTED
+  vec3 albedo = linear_from_display(painted);
+#else
+  vec3 albedo = linear_from_display(gl_FrontFacing ? FRONT_COLOUR : BACK_COLOUR);
+#endif
+#ifdef PATTERN
+  albedo *= pattern_shade();
+#endif
 
-  float facing = dot(normal, to_light.xyz);
+  float facing = dot(normal, to_light);
   // Folds light each other, so what lies in their shadow isn't quite dark.
-  float reaching = 0.12 + 0.88 * light_reaching(point + normal * (1.5 * shadow.z) + to_light.xyz * (1.0 * shadow.z));
+#ifdef SHADOWS
+  float reaching = 0.12 + 0.88 * texture(light_map, in_light_map).r;
+#else
+  const float reaching = 1.0;
+#endif
   float hollow = hollowness * side;
   float open = 1.0 - 0.55 * max(hollow, 0.0) + 0.22 * max(-hollow, 0.0);
 
   float diffuse = max((facing + 0.15) / 1.15, 0.0) * reaching;
   float through = 0.16 * max(-facing, 0.0);
-  float grazing = pow(1.0 - max(dot(normal, to_eye), 0.0), 4.0);
-  vec3 colour = albedo * (ambient_light(normal) * open + light.rgb * (diffuse * mix(1.0, open, 0.7) + through));
-  colour += (0.10 * albedo + 0.02) * grazing * ambient_above.rgb * open;
+  float edge_on = 1.0 - max(dot(normal, normalize(to_eye)), 0.0);
+  float grazing = edge_on * edge_on * edge_on * edge_on;
+  vec3 colour = albedo * (ambient_light(normal) * open + light * (diffuse * mix(1.0, open, 0.7) + through));
+  colour += (0.10 * albedo + 0.02) * grazing * ambient_above * open;
   pixel = vec4(display_from_linear(colour), 1.0);
 }

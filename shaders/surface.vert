@@ -4,21 +4,38 @@
 
 layout(location = 0) in vec3 position;  // m
 layout(location = 1) in vec3 normal;    // unit vector, front side
-layout(location = 2) in vec2 pattern_position;
-layout(location = 3) in vec4 colour;    // as displayed; a: 1 where it replaces the cloth's own colour
-layout(location = 4) in float hollow;   // −1 to 1: above 0 where the front side is hollow
+layout(location = 2) in float hollow;   // −1 to 1: above 0 where the front side is hollow
+layout(location = 3) in vec2 pattern_position;
+layout(location = 4) in vec2 light_position;  // in cells of the light map
+layout(location = 5) in vec4 colour;          // as displayed, in place of the cloth's own
 
-out vec3 point;
+uniform vec3 texels_a_cell, light_texel;  // xy: texels of the light map a cell; a texel in its coordinates
+
+out vec3 to_eye;
 out vec3 front_normal;
-out vec2 weave;
-out vec4 painted;
 out float hollowness;
+#ifdef SHADOWS
+out vec2 in_light_map;
+#endif
+#ifdef PATTERN
+out vec2 weave;
+#endif
+#ifdef PAINTED
+out vec3 painted;
+#endif
 
 void main() {
-  point = position;
+  to_eye = eye.xyz - position;
   front_normal = normal;
-  weave = pattern_position;
-  painted = colour;
   hollowness = hollow;
+#ifdef SHADOWS
+  in_light_map = (light_position * texels_a_cell.xy + 0.5) * light_texel.xy;
+#endif
+#ifdef PATTERN
+  weave = pattern_position;
+#endif
+#ifdef PAINTED
+  painted = colour.rgb;
+#endif
   gl_Position = view_projection * vec4(position, 1.0);
 }

@@ -24,7 +24,7 @@ function(add_run suite number tests)
   set(text
       "${text}add_test([=[${name}]=] [=[${PROGRAM}]=] [=[--gtest_filter=${filter}]=] --gtest_brief=1)
 set_tests_properties([=[${name}]=] PROPERTIES LABELS \"${labels}\" TIMEOUT 600
-  ENVIRONMENT \"LSAN_OPTIONS=suppressions=${LEAKS}:print_suppressions=0;TSAN_OPTIONS=suppressions=${RACES}:print_suppressions=0\")\n"
+  ENVIRONMENT \"LSAN_OPTIONS=suppressions=${LEAKS}:print_suppressions=0;TSAN_OPTIONS=suppressions=${RACES}:print_suppressions=0:detect_deadlocks=0\")\n"
       PARENT_SCOPE)
 endfunction()
 

@@ -9,7 +9,6 @@
 
 #include "base/failure.h"
 #include "output/atomic_file.h"
-#include "output/png.h"
 #include "output/png_check.h"
 
 namespace taut {
@@ -100,9 +99,8 @@ fs::path FrameFolder::frame_file(int frame) const {
   return folder_ / fmt::format("frame-{:06}.png", frame);
 }
 
-void FrameFolder::write(int frame, const Image& image, const std::string& state_hash) {
-  const std::vector<std::uint8_t> png = encode_png(image);
-  write_file(frame_file(frame), std::as_bytes(std::span(png)));
+void FrameFolder::write(int frame, std::span<const std::uint8_t> png, const std::string& state_hash) {
+  write_file(frame_file(frame), std::as_bytes(png));
   manifest_.frames[frame] = state_hash;
   if (time_to_save(++unsaved_, manifest_.frames.size())) save();
 }

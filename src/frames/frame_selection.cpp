@@ -41,19 +41,19 @@ std::optional<Range> parse_range(std::string_view text) {
 
 }  // namespace
 
-int frame_count(double duration, double frames_per_second) {
+int frame_count(double duration, const FrameRate& rate) {
   // The slack keeps 0.1 s at 30 frames/s, a little less than 3 in binary, at 3.
-  const double count = std::floor(duration * frames_per_second + 1e-6);
+  const double count = std::floor(duration * rate.value() + 1e-6);
   if (!(count >= 1.0))
-    throw BadRequest(fmt::format("{} s at {} frames/s is not even one frame", duration, frames_per_second));
+    throw BadRequest(fmt::format("{} s at {} frames/s is not even one frame", duration, rate.text()));
   if (count > most_frames)
     throw BadRequest(fmt::format("{} s at {} frames/s are {:.0f} frames; at most {} have room in a folder",
-                                 duration, frames_per_second, count, most_frames));
+                                 duration, rate.text(), count, most_frames));
   return static_cast<int>(count);
 }
 
-double frame_time(int frame, double frames_per_second) {
-  return static_cast<double>(frame - 1) / frames_per_second;
+double frame_time(int frame, const FrameRate& rate) {
+  return static_cast<double>((frame - 1) * rate.seconds) / static_cast<double>(rate.frames);
 }
 
 std::vector<int> select_frames(std::string_view text, int count) {

@@ -3,86 +3,104 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <exception>
+#include <deque>
+#include <future>
+#include <list>
 #include <memory>
-#include <mutex>
 #include <thread>
 #include <utility>
 
+#include "base/processor_time.h"
 #include "bounded_queue.h"
-#include "frames/colouring.h"
+#include "first_failure.h"
 #include "frames/frame_selection.h"
 #include "frames/ground_note.h"
 #include "frames/panels.h"
 #include "output/film.h"
+#include "output/png.h"
 #include "panel_runs.h"
 #include "render_job.h"
+#include "sinks.h"
+#include "stage_clock.h"
+#include "thread_budget.h"
 
 namespace taut {
 namespace {
 
-// A moment on its way from the simulation to the painter.
+// How Mesa names the threads that fill pixels.
+constexpr std::string_view rasteriser_threads = "llvmpipe-";
+
+// A moment on its way from the simulation to what is seen of it.
 struct Posed {
   int frame = 0;
   std::string hash;
   std::vector<PanelState> panels;
-  std::vector<std::vector<std::string>> lines;  // what is said of each, where there are several
+  std::vector<PanelText> texts;  // one a panel where there are several
 };
 
-// A picture on its way from the painter to the frame folder and the film.
-struct Painted {
+// What is seen of a moment, on its way to OpenGL.
+struct Shaped {
   int frame = 0;
   std::string hash;
-  std::shared_ptr<const Image> image;
+  PanelPainter::Shapes shapes;
+  std::vector<PanelText> texts;
 };
 
-// Keeps the first thing that went wrong in any of several threads.
-class FirstFailure {
- public:
-  template <class Work>
-  void watch(const Work& work) {
-    try {
-      work();
-    } catch (...) {
-      const std::lock_guard lock(mutex_);
-      if (!failure_) failure_ = std::current_exception();
-      failed_ = true;
-    }
-  }
-  bool any() const { return failed_; }
-  void rethrow() const {
-    if (failure_) std::rethrow_exception(failure_);
-  }
+using Finished = std::shared_ptr<const FinishedFrame>;
 
- private:
-  std::mutex mutex_;
-  std::exception_ptr failure_;
-  std::atomic<bool> failed_ = false;
+// Waits for a frame; null where whoever was to draw it failed, and says so itself. Throws what went wrong
+// later.
+Finished unless_lost(const std::shared_future<Finished>& frame) {
+  try {
+    return frame.get();
+  } catch (const std::future_error&) {
+    return nullptr;
+  }
+}
+
+// A sink, and the frames on their way to it: in order, and not all of them done.
+struct Lane {
+  explicit Lane(FrameSink& where) : sink(where) {}
+
+  FrameSink& sink;
+  BoundedQueue<std::shared_future<Finished>> frames{4};
+  std::size_t let_go = 0;  // when told to stop: at the size of a cinema's screen waiting takes too long
 };
 
-// One run from scene to frames. Each thread hands on to the next through a queue; whoever ends closes the
-// queue it hands to, and whoever fails also the one it takes from, so that nobody waits for ever.
+// What OpenGL has been told to draw. Whoever waits for it is told when it is lost, too.
+struct Submitted : Shaped {
+  std::promise<Finished> finished;
+  bool as_png = false;
+};
+
+// Parts of pictures, to be laid together and compressed.
+struct Drawn {
+  Submitted frame;
+  PanelPainter::Drawn panels;
+};
+
+// One run from scene to frames. Each stage hands on to the next through a queue; whoever ends closes the
+// queue it hands to, and whoever fails makes all others stop.
 class Pipeline {
  public:
   Pipeline(std::span<const Scene> scenes, const RenderRequest& request, RenderJob& job, Progress& progress,
            const StopTest& stop)
-      : scenes_(scenes),
-        request_(request),
-        job_(job),
-        progress_(progress),
-        stop_(stop),
-        already_there_(job.folder ? job.folder->manifest().frames : std::map<int, std::string>{}) {}
+      : scenes_(scenes), request_(request), job_(job), progress_(progress), stop_(stop) {}
 
   RenderOutcome run();
 
  private:
+  void run_stages(PanelRuns& runs, PanelPainter& painter);
   void simulate(PanelRuns& runs);
-  void paint(PanelPainter& painter);
-  Image picture(const Posed& posed, PanelPainter& painter) const;
-  void save_frames();
-  void shoot_film(Film& film);
+  void shape(PanelPainter& painter);
+  void draw(PanelPainter& painter);
+  std::optional<Submitted> next_to_draw();
+  void fetch(Submitted frame, PanelPainter& painter);
+  void finish_frames(const PanelPainter& painter);
+  void serve(Lane& lane);
   void start_film(std::optional<Film>& film) const;
   void finish(std::optional<Film>& film);
 
@@ -96,33 +114,29 @@ class Pipeline {
       stopped_ = true;
     }
   }
-  bool frame_wanted(const Posed& posed) const {
-    const auto there = already_there_.find(posed.frame);
-    return job_.folder && (there == already_there_.end() || there->second != posed.hash);
-  }
 
   std::span<const Scene> scenes_;
   const RenderRequest& request_;
   RenderJob& job_;
   Progress& progress_;
   const StopTest& stop_;
-  // A copy: the folder's own list grows in another thread than the one that asks.
-  const std::map<int, std::string> already_there_;
 
-  BoundedQueue<Posed> posed_{4};
-  BoundedQueue<Painted> to_save_{3}, to_film_{3};
+  StageClock clock_;
+  BoundedQueue<Posed> posed_{2};
+  BoundedQueue<Shaped> shaped_{2};
+  BoundedQueue<Drawn> to_finish_{2};
+  std::list<Lane> lanes_;
   FirstFailure failure_;
   const StopTest told_to_stop_ = [this] { return told_to_stop(); };
   FirstFailure step_failure_;  // no reason to throw away the frames before it, so it stops nobody else
   std::atomic<bool> stopped_ = false;
-  std::size_t let_go_ = 0;  // painted, but not saved: at the size of a cinema's screen that takes too long
   RenderOutcome outcome_;
 };
 
 void Pipeline::simulate(PanelRuns& runs) {
   for (const int frame : job_.frames) {
-    std::optional<std::vector<PanelState>> now =
-        runs.at(frame_time(frame, request_.frames_per_second), [&] { return told_to_stop(); });
+    std::optional<std::vector<PanelState>> now = clock_.time(
+        Stage::simulate, [&] { return runs.at(frame_time(frame, request_.rate), told_to_stop_); });
     if (!now || told_to_stop()) {
       stopped_ = true;
       return;
@@ -133,7 +147,9 @@ void Pipeline::simulate(PanelRuns& runs) {
       outcome_.note = ground_note(scenes_[i], (*now)[i].state);
     for (std::size_t i = 0; i < now->size() && (now->size() > 1 || frame == job_.frames.back()); ++i) {
       const PanelOutcome outcome{runs.measures(i), (*now)[i].failure};
-      posed.lines.push_back(panel_lines(scenes_[i], outcome.measures, outcome.failure));
+      posed.texts.push_back({panel_title(scenes_[i]),
+                             panel_lines(scenes_[i], outcome.measures, outcome.failure),
+                             !outcome.failure.empty()});
       if (frame == job_.frames.back()) outcome_.panels.push_back(outcome);
     }
     posed.panels = *std::move(now);
@@ -141,52 +157,122 @@ void Pipeline::simulate(PanelRuns& runs) {
   }
 }
 
-Image Pipeline::picture(const Posed& posed, PanelPainter& painter) const {
-  std::vector<Panel> panels;
-  for (std::size_t i = 0; i < posed.panels.size(); ++i) {
-    Panel& panel = panels.emplace_back();
-    panel.state = &posed.panels[i].state;
-    if (posed.panels.size() == 1) continue;
-    panel.title = panel_title(scenes_[i]);
-    panel.lines = posed.lines[i];
-    panel.failed = !posed.panels[i].failure.empty();
-    panel.plain = !colour_problem(scenes_[i]).empty();
-  }
-  return painter.draw(panels);
-}
-
-void Pipeline::paint(PanelPainter& painter) {
+void Pipeline::shape(PanelPainter& painter) {
   while (std::optional<Posed> posed = posed_.pop()) {
     if (told_to_stop()) {  // what is posed already is let go
       stopped_ = true;
       continue;
     }
-    const bool wanted = frame_wanted(*posed);
-    if (wanted || job_.make_film) {
-      Painted painted{posed->frame, posed->hash, std::make_shared<const Image>(picture(*posed, painter))};
-      if (job_.make_film) to_film_.push(painted);
-      if (wanted) to_save_.push(std::move(painted));
-    }
-    if (!wanted && job_.folder) ++outcome_.kept;
-    outcome_.last_state_hash = std::move(posed->hash);
-    progress_.update(static_cast<int>(++outcome_.shown));
+    std::vector<const State*> states;
+    for (const PanelState& panel : posed->panels) states.push_back(&panel.state);
+    Shaped shaped{posed->frame, std::move(posed->hash), {}, std::move(posed->texts)};
+    shaped.shapes = clock_.time(Stage::shape, [&] { return painter.shape(states); });
+    if (!shaped_.push(std::move(shaped))) return;
   }
 }
 
-void Pipeline::save_frames() {
-  while (const std::optional<Painted> painted = to_save_.pop()) {
-    if (!told_to_stop()) {
-      job_.folder->write(painted->frame, *painted->image, painted->hash);
+void Pipeline::draw(PanelPainter& painter) {
+  // While a frame is fetched the next one is being drawn.
+  constexpr std::size_t most_submitted = 2;
+  std::deque<Submitted> submitted;
+  while (std::optional<Submitted> frame = next_to_draw()) {
+    clock_.time(Stage::draw, [&] { painter.submit(frame->shapes); });
+    submitted.push_back(*std::move(frame));
+    if (submitted.size() < most_submitted) continue;
+    fetch(std::move(submitted.front()), painter);
+    submitted.pop_front();
+  }
+  for (Submitted& frame : submitted) fetch(std::move(frame), painter);
+}
+
+std::optional<Submitted> Pipeline::next_to_draw() {
+  while (std::optional<Shaped> shaped = shaped_.pop()) {
+    if (told_to_stop()) {
+      stopped_ = true;
       continue;
     }
-    stopped_ = true;
-    ++let_go_;
+    progress_.update(static_cast<int>(++outcome_.shown));
+    outcome_.last_state_hash = shaped->hash;
+    Submitted frame{*std::move(shaped), {}, false};
+    bool wanted = false;
+    const std::shared_future<Finished> finished = frame.finished.get_future().share();
+    for (Lane& lane : lanes_) {
+      if (!lane.sink.wants(frame.frame, frame.hash)) continue;
+      wanted = true;
+      frame.as_png = frame.as_png || lane.sink.wants_png();
+      lane.frames.push(finished);
+    }
+    if (job_.folder && !frame.as_png) ++outcome_.kept;
+    outcome_.drawn += wanted ? 1 : 0;
+    if (wanted) return frame;
+  }
+  return std::nullopt;
+}
+
+void Pipeline::fetch(Submitted frame, PanelPainter& painter) {
+  PanelPainter::Drawn drawn = clock_.time(Stage::draw, [&] { return painter.fetch(); });
+  to_finish_.push({std::move(frame), std::move(drawn)});
+}
+
+void Pipeline::finish_frames(const PanelPainter& painter) {
+  while (std::optional<Drawn> drawn = to_finish_.pop()) {
+    Submitted& frame = drawn->frame;
+    try {
+      FinishedFrame finished{frame.frame, frame.hash, {}, {}};
+      finished.image =
+          clock_.time(Stage::flatten, [&] { return painter.finish(drawn->panels, frame.texts); });
+      if (frame.as_png)
+        finished.png = clock_.time(Stage::compress, [&] { return encode_png(finished.image); });
+      frame.finished.set_value(std::make_shared<const FinishedFrame>(std::move(finished)));
+    } catch (...) {
+      frame.finished.set_exception(std::current_exception());
+    }
   }
 }
 
-void Pipeline::shoot_film(Film& film) {
-  while (const std::optional<Painted> painted = to_film_.pop())
-    unless_stopped([&] { film.add(*painted->image, told_to_stop_); });
+void Pipeline::serve(Lane& lane) {
+  while (const std::optional<std::shared_future<Finished>> frame = lane.frames.pop()) {
+    if (told_to_stop()) {
+      stopped_ = true;
+      ++lane.let_go;
+      continue;
+    }
+    failure_.watch([&] {
+      if (const Finished finished = unless_lost(*frame))
+        unless_stopped([&] { lane.sink.take(*finished, told_to_stop_); });
+      else
+        ++lane.let_go;
+    });
+  }
+}
+
+void Pipeline::run_stages(PanelRuns& runs, PanelPainter& painter) {
+  const double rasterised_before = seconds_of_threads(rasteriser_threads);
+  std::vector<std::thread> moving, finishing, serving;
+  moving.emplace_back([&] {
+    step_failure_.watch([&] { simulate(runs); });
+    posed_.close();
+  });
+  moving.emplace_back([&] {
+    failure_.watch([&] { shape(painter); });
+    posed_.close();
+    shaped_.close();
+  });
+  for (int i = 0; i < thread_budget(request_.cores).finishing; ++i)
+    finishing.emplace_back([&] { finish_frames(painter); });
+  for (Lane& lane : lanes_) serving.emplace_back([&] { serve(lane); });
+
+  failure_.watch([&] { draw(painter); });
+  const auto join = [](std::vector<std::thread>& threads) {
+    for (std::thread& thread : threads) thread.join();
+  };
+  shaped_.close();
+  to_finish_.close();
+  for (Lane& lane : lanes_) lane.frames.close();
+  join(moving);
+  join(finishing);
+  join(serving);
+  clock_.add(Stage::rasterise, seconds_of_threads(rasteriser_threads) - rasterised_before);
 }
 
 RenderOutcome Pipeline::run() {
@@ -196,38 +282,29 @@ RenderOutcome Pipeline::run() {
   if (job_.folder) job_.folder->begin();
   std::optional<Film> film;
   if (job_.make_film) start_film(film);
-  PanelPainter painter(scenes_.front(), request_.picture);
+  PanelPainter painter(scenes_, request_.picture);
+  outcome_.drawn_by = painter.drawn_by();
+  if (job_.folder) job_.folder->set_drawn_by(outcome_.drawn_by);
   progress_.start(static_cast<int>(job_.frames.size()));
 
-  std::thread simulating([&] {
-    step_failure_.watch([&] { simulate(runs); });
-    posed_.close();
-  });
-  std::thread saving([&] {
-    failure_.watch([&] { save_frames(); });
-    to_save_.close();
-  });
-  std::thread filming([&] {
-    if (film) failure_.watch([&] { shoot_film(*film); });
-    to_film_.close();
-  });
-  failure_.watch([&] { paint(painter); });
-  posed_.close();
-  to_save_.close();
-  to_film_.close();
-  simulating.join();
-  saving.join();
-  filming.join();
+  std::optional<FolderSink> files;
+  std::optional<FilmSink> shots;
+  if (job_.folder) lanes_.emplace_back(files.emplace(*job_.folder, clock_));
+  if (film) lanes_.emplace_back(shots.emplace(*film, clock_));
+  run_stages(runs, painter);
+  // What stands in the film only, or is there already, doesn't count as lost.
+  if (job_.folder) outcome_.shown -= lanes_.front().let_go;
 
-  outcome_.shown -= let_go_;
   progress_.finish();
   finish(film);
+  outcome_.stages = clock_.seconds();
   outcome_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return outcome_;
 }
 
 void Pipeline::start_film(std::optional<Film>& film) const {
-  if (request_.film->has_parent_path()) make_folder(request_.film->parent_path());
+  if (request_.film->has_parent_path() && !is_film_stream(*request_.film))
+    make_folder(request_.film->parent_path());
   film.emplace(film_settings(request_, scenes_.size()));
 }
 
@@ -235,8 +312,8 @@ void Pipeline::finish(std::optional<Film>& film) {
   const bool whole = !stopped_ && !failure_.any() && !step_failure_.any();
   if (film && whole) {
     failure_.watch([&] {
-      unless_stopped([&] { film->finish(told_to_stop_); });
-      if (stopped_) return;
+      unless_stopped([&] { clock_.add(Stage::encode, film->finish(told_to_stop_)); });
+      if (stopped_ || is_film_stream(*request_.film)) return;
       job_.film.bytes = std::filesystem::file_size(*request_.film);
       if (job_.folder) job_.folder->add_film(job_.film);
     });

@@ -42,30 +42,48 @@ void check_size(Size size) {
 }
 
 std::string settings_text(const PictureSettings& settings) {
-  constexpr std::array<std::string_view, 3> backends{"auto", "osmesa", "egl"};
   const RenderSettings& render = settings.render;
-  return fmt::format(
-      "{}x{}, {} samples, shadows {}, {}, gl {}, shaders {}", render.size.width, render.size.height,
-      render.samples, render.shadow_map_size, render.transparent ? "transparent" : "opaque",
-      backends.at(static_cast<std::size_t>(settings.backend)), shaders_text(settings.shader_folder));
+  return fmt::format("{}x{}, {} samples, shadows {}, {}, gl {}, shaders {}", render.size.width,
+                     render.size.height, render.samples, render.shadow_map_size,
+                     render.transparent ? "transparent" : "opaque", settings.gl.name(),
+                     shaders_text(settings.shader_folder));
 }
 
 struct Painter::Tools {
   std::unique_ptr<GlContext> context;
+  GeometryMaker maker;
   Renderer renderer;
 
   Tools(std::unique_ptr<GlContext> made, const Scene& scene, const PictureSettings& settings)
       : context(std::move(made)),
-        renderer(*context, scene.model, scene.start, scene.look, settings.render, settings.shader_folder) {}
+        maker(scene.model, scene.start, scene.look),
+        renderer(*context, scene.look, settings.render, settings.shader_folder) {}
 };
 
 Painter::Painter(const Scene& scene, const PictureSettings& settings)
-    : scene_(scene), tools_(std::make_unique<Tools>(make_gl_context(settings.backend), scene, settings)) {}
+    : scene_(scene), tools_(std::make_unique<Tools>(make_gl_context(settings.gl), scene, settings)) {}
 
 Painter::~Painter() = default;
 
+std::shared_ptr<const Geometry> Painter::shape(const State& state) {
+  return tools_->maker.make(state, camera_pose(scene_.camera, scene_.model, scene_.start, state));
+}
+
+void Painter::submit(const Geometry& geometry) {
+  tools_->renderer.submit(geometry);
+}
+
+std::shared_ptr<const Layers> Painter::fetch() {
+  return tools_->renderer.fetch();
+}
+
 Image Painter::draw(const State& state) {
-  return tools_->renderer.draw(state, camera_pose(scene_.camera, scene_.model, scene_.start, state));
+  submit(*shape(state));
+  return flatten(*fetch());
+}
+
+std::string Painter::drawn_by() const {
+  return tools_->context->description();
 }
 
 }  // namespace taut

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "frames/colouring.h"
 #include "render/overlay.h"
 #include "render/text.h"
 
@@ -28,7 +29,7 @@ int rows_for(std::size_t count) {
 struct PanelPainter::Captions {
   Font font = Font::load();
 
-  void write(const Panel& panel, Size size, Image& picture) const {
+  void write(const PanelText& panel, Size size, Image& picture) const {
     const double letters = std::clamp(size.height / 18.0, 11.0, 34.0), margin = 0.6 * letters;
     double baseline = margin + letters;
     font.draw(picture, {margin, baseline}, panel.title, letters, ink);
@@ -43,31 +44,51 @@ Size sheet_size(Size panel, std::size_t count) {
   return {panel.width * columns_for(count), panel.height * rows_for(count)};
 }
 
-PanelPainter::PanelPainter(const Scene& scene, const PictureSettings& settings)
-    : scene_(scene), painter_(scene, settings), settings_(settings) {}
+PanelPainter::PanelPainter(std::span<const Scene> scenes, const PictureSettings& settings)
+    : settings_(settings), captions_(scenes.size() > 1 ? new Captions : nullptr) {
+  for (const Scene& scene : scenes) {
+    const bool plain = scenes.size() > 1 && !colour_problem(scene).empty();
+    if (plain && !plain_painter_) {
+      plain_scene_ = std::make_unique<Scene>(scene);
+      plain_scene_->look.colour_by = ColourBy::plain;
+      plain_painter_ = std::make_unique<Painter>(*plain_scene_, settings);
+    }
+    if (!plain && !painter_) painter_ = std::make_unique<Painter>(scene, settings);
+    painter_of_.push_back(plain ? plain_painter_.get() : painter_.get());
+  }
+}
 
 PanelPainter::~PanelPainter() = default;
 
-Painter& PanelPainter::painter_for(const Panel& panel) {
-  if (!panel.plain) return painter_;
-  if (!plain_painter_) {
-    plain_scene_ = std::make_unique<Scene>(scene_);
-    plain_scene_->look.colour_by = ColourBy::plain;
-    plain_painter_ = std::make_unique<Painter>(*plain_scene_, settings_);
-  }
-  return *plain_painter_;
+std::string PanelPainter::drawn_by() const {
+  return painter_of_.front()->drawn_by();
 }
 
-Image PanelPainter::draw(std::span<const Panel> panels) {
-  if (panels.size() == 1) return painter_for(panels.front()).draw(*panels.front().state);
-  if (!captions_) captions_ = std::make_unique<Captions>();
+PanelPainter::Shapes PanelPainter::shape(std::span<const State* const> states) {
+  Shapes shapes;
+  for (std::size_t i = 0; i < states.size(); ++i) shapes.push_back(painter_of_[i]->shape(*states[i]));
+  return shapes;
+}
+
+void PanelPainter::submit(const Shapes& shapes) {
+  for (std::size_t i = 0; i < shapes.size(); ++i) painter_of_[i]->submit(*shapes[i]);
+}
+
+PanelPainter::Drawn PanelPainter::fetch() {
+  Drawn drawn;
+  for (Painter* painter : painter_of_) drawn.push_back(painter->fetch());
+  return drawn;
+}
+
+Image PanelPainter::finish(const Drawn& drawn, std::span<const PanelText> texts) const {
+  if (drawn.size() == 1) return flatten(*drawn.front());
   const Size panel = settings_.render.size;
-  Image sheet = Image::blank(sheet_size(panel, panels.size()), settings_.render.transparent ? 4 : 3);
-  const int columns = columns_for(panels.size());
-  for (int i = 0; i < static_cast<int>(panels.size()); ++i) {
-    const Panel& shown = panels[static_cast<std::size_t>(i)];
-    Image picture = painter_for(shown).draw(*shown.state);
-    captions_->write(shown, panel, picture);
+  Image sheet = Image::blank(sheet_size(panel, drawn.size()), settings_.render.transparent ? 4 : 3);
+  const int columns = columns_for(drawn.size());
+  for (int i = 0; i < static_cast<int>(drawn.size()); ++i) {
+    const auto which = static_cast<std::size_t>(i);
+    Image picture = flatten(*drawn[which]);
+    captions_->write(texts[which], panel, picture);
     const int left = (i % columns) * panel.width, top = (i / columns) * panel.height;
     place_image(sheet, left, top, picture);
     const double x = left, y = top, width = panel.width, height = panel.height;

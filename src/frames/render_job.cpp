@@ -13,6 +13,7 @@
 #include "frames/panels.h"
 #include "host/build_info.h"
 #include "output/film.h"
+#include "thread_budget.h"
 
 namespace taut {
 namespace {
@@ -35,7 +36,7 @@ Manifest wanted_manifest(std::span<const Scene> scenes, const RenderRequest& req
   manifest.scene_toml = resolved_toml(scenes.front());
   describe_methods(scenes, manifest);
   manifest.size = sheet_size(request.picture.render.size, scenes.size());
-  manifest.frames_per_second = request.frames_per_second;
+  manifest.frames_per_second = request.rate.value();
   manifest.picture = settings_text(request.picture);
   manifest.plan = request.plan;
   manifest.build = build_info();
@@ -47,12 +48,6 @@ Manifest wanted_manifest(std::span<const Scene> scenes, const RenderRequest& req
   for (const Scene& other : scenes.subspan(1)) hash.add(resolved_toml(other)).add("\n");
   manifest.inputs = hash.hex();
   return manifest;
-}
-
-void check_rate(double frames_per_second) {
-  if (!(frames_per_second > 0.0 && frames_per_second <= 1000.0))
-    throw BadRequest(
-        fmt::format("frames per second have to be more than 0 and at most 1000, not {}", frames_per_second));
 }
 
 // How a film is named in the manifest: from its folder, so that both can be moved together.
@@ -75,6 +70,7 @@ const FilmRecord* film_on_disk(const RenderJob& job, const fs::path& file) {
 void settle_film(RenderJob& job, const RenderRequest& request) {
   job.film = {name_in_manifest(request), selection_text(job.frames), 0};
   job.make_film = true;
+  if (is_film_stream(*request.film)) return;
   std::error_code error;
   if (fs::is_directory(*request.film, error))
     throw BadRequest(fmt::format("{} is a folder, not a name for a film", request.film->string()));
@@ -91,8 +87,8 @@ void settle_film(RenderJob& job, const RenderRequest& request) {
 }  // namespace
 
 FilmSettings film_settings(const RenderRequest& request, std::size_t panels) {
-  return {*request.film, sheet_size(request.picture.render.size, panels), request.frames_per_second,
-          request.picture.render.transparent};
+  return {*request.film, sheet_size(request.picture.render.size, panels), request.rate,
+          request.picture.render.transparent, thread_budget(request.cores).film};
 }
 
 bool RenderJob::complete() const {
@@ -107,9 +103,8 @@ RenderJob make_render_job(std::span<const Scene> scenes, const RenderRequest& re
     require_colours(scenes.front());
   check_size(request.picture.render.size);
   check_size(sheet_size(request.picture.render.size, scenes.size()));
-  check_rate(request.frames_per_second);
   RenderJob job;
-  const int count = frame_count(scenes.front().duration, request.frames_per_second);
+  const int count = frame_count(scenes.front().duration, request.rate);
   job.frames = request.selection ? select_frames(*request.selection, count) : all_frames(count);
   if (request.film) check_film_settings(film_settings(request, scenes.size()));
 

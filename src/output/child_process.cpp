@@ -5,6 +5,7 @@
 #include <poll.h>
 #include <signal.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -49,9 +50,10 @@ struct SpawnSetup {
   SpawnSetup(const SpawnSetup&) = delete;
   SpawnSetup& operator=(const SpawnSetup&) = delete;
 
-  void connect(int input, int complaints) {
+  void connect(int input, int complaints, ChildOutput output) {
     posix_spawn_file_actions_adddup2(&files, input, STDIN_FILENO);
-    posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    if (output == ChildOutput::nowhere)
+      posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
     posix_spawn_file_actions_adddup2(&files, complaints, STDERR_FILENO);
   }
 
@@ -93,11 +95,18 @@ void kill_group(pid_t process) {
   ::kill(-process, SIGKILL);
 }
 
-int wait_for(pid_t process) {
+double seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+ProcessEnd wait_for(pid_t process) {
   int status = 0;
-  while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
+  rusage usage{};
+  while (::wait4(process, &status, 0, &usage) < 0 && errno == EINTR) {
   }
-  return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+  return {WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status),
+          {},
+          seconds(usage.ru_utime) + seconds(usage.ru_stime)};
 }
 
 }  // namespace
@@ -116,7 +125,8 @@ std::optional<std::filesystem::path> find_program(std::string_view name) {
   }
 }
 
-ChildProcess::ChildProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments) {
+ChildProcess::ChildProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                           ChildOutput output) {
   // A socket instead of a pipe as its input: sending to one whose reader has gone can be told not to raise
   // SIGPIPE.
   std::array<int, 2> input{-1, -1}, complaints{-1, -1};
@@ -137,7 +147,7 @@ ChildProcess::ChildProcess(const std::filesystem::path& program, const std::vect
   pointers.push_back(nullptr);
 
   SpawnSetup setup;
-  setup.connect(input[1], complaints[1]);
+  setup.connect(input[1], complaints[1], output);
   setup.detach_from_terminal();
   const int error =
       ::posix_spawn(&process_, program.c_str(), &setup.files, &setup.attributes, pointers.data(), environ);
@@ -188,8 +198,9 @@ ProcessEnd ChildProcess::finish(const StopTest& stop) {
   reader_.join();
   close_if_open(complaints_);
   is_ended_.reset();
-  const int status = wait_for(std::exchange(process_, -1));
-  return {status, std::move(last_lines_)};
+  ProcessEnd end = wait_for(std::exchange(process_, -1));
+  end.last_lines = std::move(last_lines_);
+  return end;
 }
 
 }  // namespace taut

@@ -34,17 +34,21 @@ void add_words(std::vector<std::string>& words, std::string_view text) {
   }
 }
 
-std::vector<std::string> encoder_arguments(const FilmSettings& settings, const std::filesystem::path& to) {
-  const FilmFormat& format = *find_film_format(settings.file);
+// `to` is what ffmpeg writes into: a file, or "pipe:1".
+std::vector<std::string> encoder_arguments(const FilmSettings& settings, const std::string& to) {
+  const FilmTarget target = film_target(settings.file);
+  const FilmFormat& format = *target.format;
   std::vector<std::string> arguments{"-hide_banner", "-nostats", "-loglevel", "error", "-y"};
   const auto add = [&](auto... words) { (arguments.emplace_back(words), ...); };
   add("-f", "rawvideo", "-pixel_format", settings.transparent ? "rgba" : "rgb24");
   add("-video_size", fmt::format("{}x{}", settings.size.width, settings.size.height));
-  add("-framerate", fmt::format("{}", settings.frames_per_second), "-i", "pipe:0", "-an");
+  add("-framerate", settings.rate.text(), "-i", "pipe:0", "-an");
   add_words(arguments, format.colours);
+  if (settings.threads > 0) add("-threads", fmt::format("{}", settings.threads));
   add_words(arguments, settings.transparent ? format.encoder_with_opacity : format.encoder);
-  // The name is no help to ffmpeg: it is a temporary one.
-  add("-f", format.ending.substr(1), fmt::format("file:{}", to.string()));
+  add_words(arguments, target.stream ? format.in_pipe : format.in_file);
+  // The name is no help to ffmpeg: it is a temporary one, or none.
+  add("-f", format.ending.substr(1), to);
   return arguments;
 }
 
@@ -56,12 +60,15 @@ const FilmSettings& checked(const FilmSettings& settings) {
 }  // namespace
 
 void check_film_settings(const FilmSettings& settings) {
-  const FilmFormat* format = find_film_format(settings.file);
+  const auto [file, stream, format] = film_target(settings.file);
   if (format == nullptr)
     throw BadRequest(fmt::format("a film's name has to end in one of {}; \"{}\" does not", endings(),
                                  settings.file.string()));
   if (settings.transparent && !format->transparent)
     throw BadRequest(fmt::format("{} films can't be transparent; .webm and .webp can", format->ending));
+  if (stream && !format->streams)
+    throw BadRequest(
+        fmt::format("{} films can't be written into a pipe; .mp4, .webm and .gif can", format->ending));
   const auto [width, height] = settings.size;
   if (format->even_sizes && (width % 2 != 0 || height % 2 != 0))
     throw BadRequest(
@@ -76,24 +83,36 @@ void require_film_encoder() {
   encoder_program();
 }
 
-Film::Film(const FilmSettings& settings)
-    : file_(checked(settings).file),
-      encoder_(encoder_program(), encoder_arguments(settings, file_.temporary_name())) {}
-
-void Film::add(const Image& frame, const StopTest& stop) {
-  if (!encoder_.feed(std::as_bytes(std::span(frame.pixels)), stop)) fail(encoder_.finish());
+bool is_film_stream(const std::filesystem::path& name) {
+  return film_target(name).stream;
 }
 
-void Film::finish(const StopTest& stop) {
-  const ProcessEnd end = encoder_.finish(stop);
+Film::Film(const FilmSettings& settings) : name_(checked(settings).file) {
+  const FilmTarget target = film_target(settings.file);
+  if (!target.stream) file_.emplace(target.file);
+  const bool to_standard_output = target.file == "-";
+  const std::string to =
+      to_standard_output ? "pipe:1"
+                         : fmt::format("file:{}", (file_ ? file_->temporary_name() : target.file).string());
+  encoder_.emplace(encoder_program(), encoder_arguments(settings, to),
+                   to_standard_output ? ChildOutput::ours : ChildOutput::nowhere);
+}
+
+void Film::add(const Image& frame, const StopTest& stop) {
+  if (!encoder_->feed(std::as_bytes(std::span(frame.pixels)), stop)) fail(encoder_->finish());
+}
+
+double Film::finish(const StopTest& stop) {
+  const ProcessEnd end = encoder_->finish(stop);
   if (end.status != 0) fail(end);
-  file_.commit();
+  if (file_) file_->commit();
+  return end.processor_seconds;
 }
 
 void Film::fail(const ProcessEnd& end) const {
-  throw RunFailure(fmt::format("ffmpeg could not make {} (its exit status was {}){}{}",
-                               file_.final_name().string(), end.status,
-                               end.last_lines.empty() ? "" : "; its last words:\n", end.last_lines));
+  throw RunFailure(fmt::format("ffmpeg could not make {} (its exit status was {}){}{}", name_.string(),
+                               end.status, end.last_lines.empty() ? "" : "; its last words:\n",
+                               end.last_lines));
 }
 
 }  // namespace taut

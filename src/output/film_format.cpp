@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <string>
+#include <system_error>
 
 namespace taut {
 namespace {
@@ -13,9 +15,12 @@ constexpr std::string_view bt709 =
     "-vf scale=out_color_matrix=bt709:out_range=tv -colorspace bt709 -color_primaries bt709 -color_trc bt709 "
     "-color_range tv";
 
-// H.264 at a quality where the eye sees no loss; the index in front, so that a page can start playing early.
+// H.264 at a quality where the eye sees no loss. In a file the index comes first, so that a page can start
+// playing early. Of the curtain and the breaking cloth this takes a quarter less time than `veryfast`, for
+// films an eighth larger and as near to their pictures (SSIM 0.9913 for 0.9917, and 0.9959 for 0.9962); plain
+// `superfast`, which spreads its bits without looking ahead, makes them three times as large.
 constexpr std::string_view h264 =
-    "-c:v libx264 -preset veryfast -crf 18 -pix_fmt yuv420p -movflags +faststart";
+    "-c:v libx264 -preset superfast -x264-params mbtree=1:rc-lookahead=10 -crf 18 -pix_fmt yuv420p";
 
 constexpr std::string_view vp9 =
     "-c:v libvpx-vp9 -crf 24 -b:v 0 -deadline good -cpu-used 5 -row-mt 1 -pix_fmt yuv420p";
@@ -27,14 +32,38 @@ constexpr std::string_view gif =
     "-vf split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1:dither=bayer:bayer_scale=3 "
     "-loop 0";
 
-constexpr std::string_view webp = "-c:v libwebp_anim -quality 75 -compression_level 4 -loop 0";
+// Every frame whole: libwebp_anim keeps blocks that it takes for unchanged, and what has moved away leaves
+// ghosts. Of the breaking cloth at 640×360 that is half as much again in bytes.
+constexpr std::string_view webp = "-c:v libwebp -quality 75 -compression_level 4 -loop 0";
+
+constexpr std::string_view index_in_front = "-movflags +faststart";
+constexpr std::string_view in_fragments = "-movflags +frag_keyframe+empty_moov+default_base_moof";
 
 constexpr std::array<FilmFormat, 4> formats{{
-    {".mp4", true, false, 16384, bt709, h264, {}},
-    {".webm", true, true, 16384, bt709, vp9, vp9_with_opacity},
-    {".gif", false, false, 16384, {}, gif, {}},
-    {".webp", false, true, 16383, {}, webp, webp},
+    {".mp4", true, false, true, 16384, bt709, h264, {}, index_in_front, in_fragments},
+    {".webm", true, true, true, 16384, bt709, vp9, vp9_with_opacity, {}, {}},
+    {".gif", false, false, true, 16384, {}, gif, {}, {}, {}},
+    {".webp", false, true, false, 16383, {}, webp, webp, {}, {}},
 }};
+
+std::string lower_case(std::string text) {
+  std::ranges::transform(text, text.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+const FilmFormat* format_of(std::string_view ending) {
+  const auto found = std::ranges::find(formats, ending, &FilmFormat::ending);
+  return found == formats.end() ? nullptr : &*found;
+}
+
+// Whether there is something of that name that is neither a file nor a folder.
+bool is_stream(const std::filesystem::path& name) {
+  std::error_code error;
+  const auto status = std::filesystem::status(name, error);
+  return name == "-" || std::filesystem::is_fifo(status) || std::filesystem::is_character_file(status) ||
+         std::filesystem::is_socket(status);
+}
 
 }  // namespace
 
@@ -42,12 +71,18 @@ std::span<const FilmFormat> film_formats() {
   return formats;
 }
 
-const FilmFormat* find_film_format(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  std::ranges::transform(ending, ending.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const auto found = std::ranges::find(formats, ending, &FilmFormat::ending);
-  return found == formats.end() ? nullptr : &*found;
+FilmTarget film_target(const std::filesystem::path& name) {
+  const std::string text = name.string();
+  const std::size_t colon = text.find(':');
+  const FilmFormat* const named =
+      colon == std::string::npos ? nullptr : format_of(std::string(".").append(text, 0, colon));
+  FilmTarget target{named != nullptr ? std::filesystem::path(text.substr(colon + 1)) : name, false, named};
+  target.stream = is_stream(target.file);
+  // Only in front of a pipe: a file has an ending, and its name may have a colon in it.
+  if (!target.stream && named != nullptr) target = {name, is_stream(name), nullptr};
+  if (target.format == nullptr) target.format = format_of(lower_case(target.file.extension().string()));
+  if (target.format == nullptr && target.stream) target.format = &formats.front();
+  return target;
 }
 
 }  // namespace taut

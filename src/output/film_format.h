@@ -11,17 +11,28 @@ struct FilmFormat {
   std::string_view ending;  ///< with its dot; also ffmpeg's name of the container, without it
   bool even_sizes = false;  ///< its colours are stored for squares of 2×2 pixels
   bool transparent = false;
-  int largest = 0;  ///< pixels a side
+  bool streams = false;  ///< can be written into a pipe
+  int largest = 0;       ///< pixels a side
   // ffmpeg's options, with a space between words.
   std::string_view colours;               ///< which colours its numbers stand for
   std::string_view encoder;               ///< how it is encoded
   std::string_view encoder_with_opacity;  ///< the same for transparent films
+  std::string_view in_file;               ///< how it is laid out in a file …
+  std::string_view in_pipe;               ///< … and in a pipe, where that can be
 };
 
 /// Every format, in the order in which messages list them.
 std::span<const FilmFormat> film_formats();
 
-/// The format that a file's ending chooses, or nullptr.
-const FilmFormat* find_film_format(const std::filesystem::path& file);
+/// Where a film goes.
+struct FilmTarget {
+  std::filesystem::path file;          ///< "-" for standard output
+  bool stream = false;                 ///< into a pipe or a device instead of a file of its own
+  const FilmFormat* format = nullptr;  ///< null where the name chooses none
+};
+
+/// What a name means: its ending chooses the format. What goes into a pipe (which "-" is, and any name of
+/// one) may have the format in front, as in "webm:-", and is .mp4 otherwise.
+FilmTarget film_target(const std::filesystem::path& name);
 
 }  // namespace taut

@@ -52,6 +52,7 @@ Manifest from_json(const Json& json) {
   manifest.size = {json.at("width").get<int>(), json.at("height").get<int>()};
   manifest.frames_per_second = json.at("frames_per_second").get<double>();
   manifest.picture = json.at("picture").get<std::string>();
+  manifest.drawn_by = json.value("drawn_by", "");
   manifest.build = json.at("build").get<std::string>();
   for (const auto& [number, hash] : json.at("frames").items())
     manifest.frames[std::stoi(number)] = hash.get<std::string>();
@@ -76,6 +77,7 @@ std::string manifest_text(const Manifest& manifest) {
                   {"height", manifest.size.height},
                   {"frames_per_second", manifest.frames_per_second},
                   {"picture", manifest.picture},
+                  {"drawn_by", manifest.drawn_by},
                   {"films", films_to_json(manifest)},
                   {"scene_toml", manifest.scene_toml},
                   {"frames", frames_to_json(manifest)}};

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/image.h"
-#include "colour_scale.h"
+#include "geometry/colour_scale.h"
 #include "render/text.h"
 #include "view/view.h"
 

@@ -1,7 +1,11 @@
 #include "painters.h"
 
-#include <array>
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <numbers>
+
+#include "geometry/palette.h"
 
 namespace taut {
 namespace {
@@ -13,104 +17,239 @@ constexpr std::array link_attributes{Attribute{4, GL_FLOAT, offsetof(LinkRecord,
                                      Attribute{4, GL_UNSIGNED_BYTE, offsetof(LinkRecord, colour)}};
 constexpr std::array surface_attributes{Attribute{3, GL_FLOAT, offsetof(SurfaceVertex, position)},
                                         Attribute{3, GL_FLOAT, offsetof(SurfaceVertex, normal)},
-                                        Attribute{2, GL_FLOAT, offsetof(SurfaceVertex, pattern_position)},
-                                        Attribute{4, GL_UNSIGNED_BYTE, offsetof(SurfaceVertex, colour)},
                                         Attribute{1, GL_FLOAT, offsetof(SurfaceVertex, hollow)}};
+constexpr std::array pattern_attributes{Attribute{2, GL_FLOAT, 0}};
+constexpr std::array colour_attributes{Attribute{4, GL_UNSIGNED_BYTE, 0}};
+constexpr std::array ball_attributes{Attribute{4, GL_FLOAT, 0}};
+constexpr std::array rod_attributes{Attribute{4, GL_FLOAT, offsetof(RodRecord, start)},
+                                    Attribute{3, GL_FLOAT, offsetof(RodRecord, end)},
+                                    Attribute{4, GL_UNSIGNED_BYTE, offsetof(RodRecord, colour)}};
+constexpr std::array box_attributes{
+    Attribute{3, GL_FLOAT, offsetof(BoxRecord, centre)}, Attribute{3, GL_FLOAT, offsetof(BoxRecord, edges)},
+    Attribute{3, GL_FLOAT, offsetof(BoxRecord, edges) + sizeof(glm::vec3)},
+    Attribute{3, GL_FLOAT, offsetof(BoxRecord, edges) + 2 * sizeof(glm::vec3)},
+    Attribute{4, GL_UNSIGNED_BYTE, offsetof(BoxRecord, colour)}};
+constexpr GLsizei corners_of_a_box = 36;
 
-constexpr std::array solid_attributes{Attribute{3, GL_FLOAT, offsetof(SolidVertex, position)},
-                                      Attribute{3, GL_FLOAT, offsetof(SolidVertex, normal)},
-                                      Attribute{4, GL_UNSIGNED_BYTE, offsetof(SolidVertex, colour)}};
+// How many sides a round thing may have.
+constexpr std::array round_sides{8, 12, 16, 20, 28, 40, 64};
 
-void set_colour(const Program& program, const char* uniform, const Colour& colour) {
-  program.set(uniform, static_cast<float>(colour[0]), static_cast<float>(colour[1]),
-              static_cast<float>(colour[2]));
+// As many sides as keep the outline within a fourth of a pixel of the circle.
+std::size_t round_for(float radius_in_pixels) {
+  const float tolerance = std::clamp(0.25F / std::max(radius_in_pixels, 0.1F), 0.0F, 1.0F);
+  const float sides = std::numbers::pi_v<float> / std::acos(1.0F - tolerance);
+  std::size_t which = 0;
+  while (which + 1 < round_sides.size() && static_cast<float>(round_sides[which]) < sides) ++which;
+  return which;
 }
 
-void set_vector(const Program& program, const char* uniform, const glm::vec3& vector) {
-  program.set(uniform, vector.x, vector.y, vector.z);
+// Circles of latitude about z from the lower tip to the upper; the rim is there twice, once for either half.
+std::vector<glm::vec4> ball_vertices(int sides) {
+  const int rings = sides / 4;
+  std::vector<glm::vec4> vertices;
+  for (int ring = 0; ring <= 2 * rings + 1; ++ring) {
+    const bool lower = ring <= rings;
+    const float latitude = 0.5F * std::numbers::pi_v<float> *
+                           static_cast<float>((lower ? ring : ring - 1) - rings) / static_cast<float>(rings);
+    for (int side = 0; side < sides; ++side) {
+      const float longitude =
+          2.0F * std::numbers::pi_v<float> * static_cast<float>(side) / static_cast<float>(sides);
+      vertices.emplace_back(std::cos(latitude) * std::cos(longitude),
+                            std::cos(latitude) * std::sin(longitude), std::sin(latitude),
+                            lower ? 0.0F : 1.0F);
+    }
+  }
+  return vertices;
+}
+
+std::vector<GLuint> ball_triangles(int sides) {
+  std::vector<GLuint> indices;
+  const auto count = static_cast<GLuint>(sides);
+  for (GLuint ring = 0; ring < 2 * (count / 4) + 1; ++ring)
+    for (GLuint side = 0; side < count; ++side) {
+      const GLuint low = ring * count, next = (side + 1) % count;
+      for (const GLuint corner :
+           {low + side, low + next, low + count + side, low + count + side, low + next, low + count + next})
+        indices.push_back(corner);
+    }
+  return indices;
+}
+
+Defines with_look(Defines defines, const Look& look) {
+  if (look.pattern != Pattern::plain)
+    defines.emplace_back(look.pattern == Pattern::checker ? "PATTERN 1" : "PATTERN 2");
+  if (look.colour_by != ColourBy::plain) defines.emplace_back("PAINTED");
+  return defines;
+}
+
+// Texels of the light map for a cell: shadows have soft edges, so one for two pixels does, each way; fewer
+// where the map would be too large.
+glm::vec2 light_texels(const SpreadSheets& spread, float pixels_a_metre) {
+  constexpr float pixels_a_texel = 2.5F, most = 4095.0F;
+  const glm::vec2 wanted = glm::ceil(spread.cell_size * pixels_a_metre / pixels_a_texel);
+  return glm::clamp(wanted, glm::vec2(1.0F),
+                    glm::max(glm::floor(most / glm::vec2(spread.masses.width, spread.masses.height)), 1.0F));
+}
+
+const Program& program_for(const PassPrograms& programs, Pass pass) {
+  return pass == Pass::colour ? programs.colour : programs.shadow;
 }
 
 }  // namespace
 
-InstancePainter::InstancePainter(const Gl& gl, const ShaderLibrary& library, const PainterShaders& shaders,
-                                 std::size_t record_size, std::span<const Attribute> attributes)
+PassPrograms::PassPrograms(const Gl& gl, const ShaderLibrary& library, const PainterShaders& shaders,
+                           const Defines& colour_defines)
+    : colour(gl, library, shaders.vertex, shaders.colour, colour_defines),
+      shadow(gl, library, shaders.shadow_vertex, shaders.shadow) {}
+
+SquarePainter::SquarePainter(const Gl& gl, const ShaderLibrary& library, const PainterShaders& shaders,
+                             const Defines& defines, std::size_t record_size,
+                             std::span<const Attribute> attributes)
     : gl_(&gl),
-      colour_(gl, library, shaders.vertex, shaders.colour),
-      shadow_(gl, library, shaders.vertex, shaders.shadow),
-      stream_(gl, record_size, attributes, 1) {}
+      programs_(gl, library, shaders, defines),
+      array_(make_vertex_array(gl)),
+      records_(gl, array_, record_size, attributes, 1) {}
 
-void InstancePainter::draw_with(const Program& program) const {
-  program.use();
-  stream_.bind();
-  gl_->draw_arrays_instanced(GL_TRIANGLE_STRIP, 0, 4, stream_.count());
+void SquarePainter::draw(Pass pass) const {
+  if (records_.count() == 0) return;
+  program_for(programs_, pass).use();
+  gl_->bind_vertex_array(array_.name());
+  gl_->draw_arrays_instanced(GL_TRIANGLE_STRIP, 0, 4, records_.count());
 }
 
-SpherePainter::SpherePainter(const Gl& gl, const ShaderLibrary& library)
-    : InstancePainter(gl, library, {"sphere.vert", "sphere.frag", "sphere_shadow.frag"}, sizeof(SphereRecord),
-                      sphere_attributes) {}
+SquarePainter sphere_painter(const Gl& gl, const ShaderLibrary& library, const Defines& defines) {
+  return {gl,
+          library,
+          {"sphere.vert", "sphere.frag", "sphere_shadow.frag"},
+          defines,
+          sizeof(SphereRecord),
+          sphere_attributes};
+}
 
-LinkPainter::LinkPainter(const Gl& gl, const ShaderLibrary& library)
-    : InstancePainter(gl, library, {"link.vert", "link.frag", "nothing.frag"}, sizeof(LinkRecord),
-                      link_attributes) {}
+SquarePainter link_painter(const Gl& gl, const ShaderLibrary& library, const Defines& defines) {
+  return {
+      gl, library, {"link.vert", "link.frag", "nothing.frag"}, defines, sizeof(LinkRecord), link_attributes};
+}
 
-MeshPainter::MeshPainter(const Gl& gl, const ShaderLibrary& library, const PainterShaders& shaders,
-                         std::size_t vertex_size, std::span<const Attribute> attributes)
+SurfacePainter::SurfacePainter(const Gl& gl, const ShaderLibrary& library, const Look& look, Defines defines)
     : gl_(&gl),
-      colour_(gl, library, shaders.vertex, shaders.colour),
-      shadow_(gl, library, shaders.vertex, shaders.shadow),
-      stream_(gl, vertex_size, attributes, 0),
-      index_buffer_(make_buffer(gl)) {}
-
-void MeshPainter::upload_indices(std::span<const Index> indices) {
-  stream_.bind();
-  gl_->bind_buffer(GL_ELEMENT_ARRAY_BUFFER, index_buffer_.name());
-  gl_->buffer_data(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size_bytes()), indices.data(),
-                   GL_STREAM_DRAW);
-  index_count_ = static_cast<GLsizei>(indices.size());
+      programs_(gl, library, {"surface.vert", "surface.frag", "nothing.frag"},
+                with_look(std::move(defines), look)),
+      array_(make_vertex_array(gl)),
+      vertices_(gl, array_, sizeof(SurfaceVertex), surface_attributes, 0),
+      pattern_(gl, array_, sizeof(glm::vec2), pattern_attributes, 0, 3),
+      spread_(gl, array_, sizeof(glm::vec2), pattern_attributes, 0, 4),
+      indices_(gl) {
+  if (look.shadows)
+    light_.emplace(Light{Program(gl, library, "whole.vert", "surface_light.frag", {"SHADOWS"}),
+                         {make_texture(gl), make_texture(gl), make_texture(gl)},
+                         make_vertex_array(gl),
+                         LightMap(gl)});
+  if (look.colour_by != ColourBy::plain) colours_.emplace(gl, array_, sizeof(Rgba), colour_attributes, 0, 5);
 }
 
-void MeshPainter::draw_with(const Program& program) const {
-  program.use();
-  stream_.bind();
-  gl_->draw_elements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
+void SurfacePainter::upload(const SurfaceMesh& mesh) {
+  gl_->bind_vertex_array(array_.name());
+  vertices_.upload(std::span(mesh.vertices));
+  if (colours_) colours_->upload(std::span(mesh.colours));
+  if (mesh.pattern != uploaded_pattern_) {
+    pattern_.upload(std::span(*mesh.pattern));
+    uploaded_pattern_ = mesh.pattern;
+  }
+  if (mesh.indices != uploaded_indices_) {
+    indices_.upload(*mesh.indices);
+    uploaded_indices_ = mesh.indices;
+  }
+  if (light_ && mesh.spread != uploaded_spread_) {
+    spread_.upload(std::span(mesh.spread->positions));
+    uploaded_spread_ = mesh.spread;
+  }
 }
 
-SurfacePainter::SurfacePainter(const Gl& gl, const ShaderLibrary& library, const Look& look)
-    : MeshPainter(gl, library, {"surface.vert", "surface.frag", "nothing.frag"}, sizeof(SurfaceVertex),
-                  surface_attributes) {
-  colour().use();
-  set_colour(colour(), "front_colour", look.surface_colour);
-  set_colour(colour(), "back_colour", look.surface_back_colour);
-  colour().set("pattern", static_cast<int>(look.pattern));
-}
+void SurfacePainter::draw_light(const SurfaceMesh& mesh, const FrameBlock& block, float pixels_a_metre) {
+  const SpreadSheets& spread = *mesh.spread;
+  const std::vector<glm::vec4> places =
+      light_places(mesh, block.shadow_matrix, direction_to_light(), block.shadow.z);
+  gl_->active_texture(GL_TEXTURE2);
+  gl_->bind_texture(GL_TEXTURE_2D, light_->places.at(light_->turn++ % light_->places.size()).name());
+  gl_->texture_parameter(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  gl_->texture_image(GL_TEXTURE_2D, 0, GL_RGBA32F, spread.masses.width, spread.masses.height, 0, GL_RGBA,
+                     GL_FLOAT, places.data());
 
-SolidPainter::SolidPainter(const Gl& gl, const ShaderLibrary& library)
-    : MeshPainter(gl, library, {"solid.vert", "solid.frag", "nothing.frag"}, sizeof(SolidVertex),
-                  solid_attributes) {}
-
-BackdropPainter::BackdropPainter(const Gl& gl, const ShaderLibrary& library)
-    : gl_(&gl),
-      ground_(gl, library, "ground.vert", "ground.frag"),
-      sky_(gl, library, "sky.vert", "sky.frag"),
-      no_attributes_(make_vertex_array(gl)) {}
-
-void BackdropPainter::draw_ground(const GroundPatch& patch) const {
-  ground_.use();
-  set_vector(ground_, "normal", patch.normal);
-  set_vector(ground_, "along", patch.along);
-  set_vector(ground_, "across", patch.across);
-  set_vector(ground_, "foot_and_height", glm::vec3(patch.foot, patch.height));
-  ground_.set("solid", patch.solid ? 1 : 0);
-  gl_->bind_vertex_array(no_attributes_.name());
-  gl_->draw_arrays(GL_TRIANGLE_STRIP, 0, 4);
-}
-
-void BackdropPainter::draw_sky(const glm::vec3& right, const glm::vec3& down) const {
-  sky_.use();
-  set_vector(sky_, "right", right);
-  set_vector(sky_, "down", down);
-  gl_->bind_vertex_array(no_attributes_.name());
+  const glm::vec2 texels_a_cell = light_texels(spread, pixels_a_metre);
+  const glm::vec2 size = glm::vec2(spread.masses.width - 1, spread.masses.height - 1) * texels_a_cell + 1.0F;
+  light_->map.begin({static_cast<int>(size.x), static_cast<int>(size.y)});
+  light_->program.use();
+  light_->program.set("places", 2);
+  light_->program.set("texels_a_cell", glm::vec3(texels_a_cell, 0.0F));
+  gl_->bind_vertex_array(light_->no_attributes.name());
   gl_->draw_arrays(GL_TRIANGLES, 0, 3);
+
+  programs_.colour.use();
+  programs_.colour.set("texels_a_cell", glm::vec3(texels_a_cell, 0.0F));
+  programs_.colour.set("light_texel", glm::vec3(light_->map.texel(), 0.0F));
+}
+
+void SurfacePainter::draw(Pass pass) const {
+  if (indices_.count() == 0) return;
+  program_for(programs_, pass).use();
+  if (light_) light_->map.bind_for_reading();
+  gl_->bind_vertex_array(array_.name());
+  indices_.bind();
+  gl_->draw_elements(GL_TRIANGLES, indices_.count(), GL_UNSIGNED_INT, nullptr);
+}
+
+RodPainter::Round::Round(const Gl& gl, int sides)
+    : array(make_vertex_array(gl)),
+      ball(gl, array, sizeof(glm::vec4), ball_attributes, 0),
+      rods(gl, array, sizeof(RodRecord), rod_attributes, 1, 1),
+      triangles(gl) {
+  const std::vector<glm::vec4> vertices = ball_vertices(sides);
+  ball.upload(std::span(vertices));
+  triangles.upload(ball_triangles(sides));
+}
+
+RodPainter::RodPainter(const Gl& gl, const ShaderLibrary& library, const Defines& defines)
+    : gl_(&gl),
+      programs_(gl, library, {"rod.vert", "body.frag", "rod_shadow.frag", "rod_shadow.vert"}, defines) {
+  for (const int sides : round_sides) rounds_.emplace_back(gl, sides);
+}
+
+void RodPainter::upload(const std::vector<RodRecord>& rods, float pixel) {
+  std::vector<std::vector<RodRecord>> sorted(rounds_.size());
+  for (const RodRecord& rod : rods) {
+    const float depth = std::min(glm::length(rod.start), glm::length(rod.end)) - rod.radius;
+    sorted[round_for(rod.radius / std::max(pixel * depth, 1e-6F))].push_back(rod);
+  }
+  for (std::size_t i = 0; i < rounds_.size(); ++i)
+    rounds_[i].rods.upload(std::span(std::as_const(sorted[i])));
+}
+
+void RodPainter::draw(Pass pass) const {
+  program_for(programs_, pass).use();
+  for (const Round& round : rounds_) {
+    if (round.rods.count() == 0) continue;
+    gl_->bind_vertex_array(round.array.name());
+    round.triangles.bind();
+    if (pass == Pass::shadow)
+      gl_->draw_arrays_instanced(GL_TRIANGLE_STRIP, 0, 4, round.rods.count());
+    else
+      gl_->draw_elements_instanced(GL_TRIANGLES, round.triangles.count(), GL_UNSIGNED_INT, nullptr,
+                                   round.rods.count());
+  }
+}
+
+BoxPainter::BoxPainter(const Gl& gl, const ShaderLibrary& library, const Defines& defines)
+    : gl_(&gl),
+      programs_(gl, library, {"box.vert", "body.frag", "nothing.frag"}, defines),
+      array_(make_vertex_array(gl)),
+      records_(gl, array_, sizeof(BoxRecord), box_attributes, 1) {}
+
+void BoxPainter::draw(Pass pass) const {
+  if (records_.count() == 0) return;
+  program_for(programs_, pass).use();
+  gl_->bind_vertex_array(array_.name());
+  gl_->draw_arrays_instanced(GL_TRIANGLES, 0, corners_of_a_box, records_.count());
 }
 
 }  // namespace taut

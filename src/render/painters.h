@@ -1,110 +1,131 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
-#include "gl_objects.h"
-#include "ground_patch.h"
-#include "lattice.h"
-#include "program.h"
-#include "solid_mesh.h"
-#include "surface_mesh.h"
+#include "geometry/frame_block.h"
+#include "geometry/geometry.h"
+#include "gl/gl_objects.h"
+#include "gl/program.h"
+#include "gl/targets.h"
 #include "view/view.h"
 
 namespace taut {
 
-/// Files of shaders: the vertex shader of both draws, and the fragment shader of each.
+/// Shaders that draw in colour and into the shadow map.
 struct PainterShaders {
   std::string_view vertex, colour, shadow;
+  std::string_view shadow_vertex = vertex;
 };
 
-/// Draws a square for each record, in colour and into the shadow map.
-class InstancePainter {
- public:
-  void draw() const { draw_with(colour_); }
-  void draw_shadow() const { draw_with(shadow_); }
+/// A program for each kind of pass.
+struct PassPrograms {
+  Program colour, shadow;
 
- protected:
-  InstancePainter(const Gl& gl, const ShaderLibrary& library, const PainterShaders& shaders,
-                  std::size_t record_size, std::span<const Attribute> attributes);
-  VertexStream& stream() { return stream_; }
-
- private:
-  void draw_with(const Program& program) const;
-
-  const Gl* gl_;
-  Program colour_, shadow_;
-  VertexStream stream_;
+  /// The shadow map's pass knows none of the colour's defines.
+  PassPrograms(const Gl& gl, const ShaderLibrary& library, const PainterShaders& shaders,
+               const Defines& colour_defines);
 };
 
-/// Draws spheres. Call upload() before the draws of a frame.
-class SpherePainter : public InstancePainter {
+enum class Pass { colour, shadow };
+
+/// Draws squares turned to the eye, one a record: spheres and links.
+class SquarePainter {
  public:
-  SpherePainter(const Gl& gl, const ShaderLibrary& library);
-  void upload(std::span<const SphereRecord> records) { stream().upload(records); }
-};
+  SquarePainter(const Gl& gl, const ShaderLibrary& library, const PainterShaders& shaders,
+                const Defines& defines, std::size_t record_size, std::span<const Attribute> attributes);
 
-/// Draws links. Call upload() before the draws of a frame.
-class LinkPainter : public InstancePainter {
- public:
-  LinkPainter(const Gl& gl, const ShaderLibrary& library);
-  void upload(std::span<const LinkRecord> records) { stream().upload(records); }
-};
-
-/// Draws a mesh, in colour and into the shadow map.
-class MeshPainter {
- public:
-  void draw() const { draw_with(colour_); }
-  void draw_shadow() const { draw_with(shadow_); }
-
- protected:
-  MeshPainter(const Gl& gl, const ShaderLibrary& library, const PainterShaders& shaders,
-              std::size_t vertex_size, std::span<const Attribute> attributes);
-  const Program& colour() const { return colour_; }
-
-  template <typename Vertex>
-  void upload(std::span<const Vertex> vertices, std::span<const Index> indices) {
-    stream_.upload(vertices);
-    upload_indices(indices);
+  template <typename Record>
+  void upload(const std::vector<Record>& records) {
+    records_.upload(std::span(records));
   }
-
- private:
-  void upload_indices(std::span<const Index> indices);
-  void draw_with(const Program& program) const;
-
-  const Gl* gl_;
-  Program colour_, shadow_;
-  VertexStream stream_;
-  GlObject index_buffer_;
-  GLsizei index_count_ = 0;
-};
-
-/// Draws cloth. Call upload() before the draws of a frame.
-class SurfacePainter : public MeshPainter {
- public:
-  SurfacePainter(const Gl& gl, const ShaderLibrary& library, const Look& look);
-  void upload(const SurfaceMesh& mesh) { MeshPainter::upload(std::span(mesh.vertices), mesh.indices); }
-};
-
-/// Draws bones and solids. Call upload() before the draws of a frame.
-class SolidPainter : public MeshPainter {
- public:
-  SolidPainter(const Gl& gl, const ShaderLibrary& library);
-  void upload(const SolidMesh& mesh) { MeshPainter::upload(std::span(mesh.vertices), mesh.indices); }
-};
-
-/// Draws ground and sky, behind what is there already.
-class BackdropPainter {
- public:
-  BackdropPainter(const Gl& gl, const ShaderLibrary& library);
-  void draw_ground(const GroundPatch& patch) const;
-  /// `right` and `down` as in shaders/sky.frag.
-  void draw_sky(const glm::vec3& right, const glm::vec3& down) const;
+  void draw(Pass pass) const;
 
  private:
   const Gl* gl_;
-  Program ground_, sky_;
-  GlObject no_attributes_;
+  PassPrograms programs_;
+  GlObject array_;
+  VertexStream records_;
+};
+SquarePainter sphere_painter(const Gl& gl, const ShaderLibrary& library, const Defines& defines);
+SquarePainter link_painter(const Gl& gl, const ShaderLibrary& library, const Defines& defines);
+
+/// Draws cloth. How much light reaches it is worked out once for each place of its sheets, in a map, rather
+/// than for each fragment: many of those lie in pixels that others cover, or share them with others.
+class SurfacePainter {
+ public:
+  /// `defines` without those of the look.
+  SurfacePainter(const Gl& gl, const ShaderLibrary& library, const Look& look, Defines defines);
+
+  /// What several frames share is uploaded only when it is another.
+  void upload(const SurfaceMesh& mesh);
+  /// Works out, from the block and the shadow map that are loaded, how much light reaches the cloth, which is
+  /// so many pixels a metre large in the picture.
+  void draw_light(const SurfaceMesh& mesh, const FrameBlock& block, float pixels_a_metre);
+  void draw(Pass pass) const;
+
+ private:
+  // What works out how much of it arrives.
+  struct Light {
+    Program program;
+    std::array<GlObject, 3> places;  // taken in turn: the last may still be read from
+    GlObject no_attributes;
+    LightMap map;
+    std::size_t turn = 0;
+  };
+
+  const Gl* gl_;
+  PassPrograms programs_;
+  GlObject array_;
+  VertexStream vertices_, pattern_, spread_;
+  std::optional<VertexStream> colours_;  // only where the look has any
+  IndexStream indices_;
+  SharedIndices uploaded_indices_;
+  SharedPattern uploaded_pattern_;
+  std::shared_ptr<const SpreadSheets> uploaded_spread_;
+  std::optional<Light> light_;  // only where there are shadows
+};
+
+/// Draws rods and balls. Their roundness follows their size in the picture.
+class RodPainter {
+ public:
+  RodPainter(const Gl& gl, const ShaderLibrary& library, const Defines& defines);
+
+  /// `pixel`: a pixel's height (m) at a metre from the eye.
+  void upload(const std::vector<RodRecord>& rods, float pixel);
+  void draw(Pass pass) const;
+
+ private:
+  // A ball of so many sides, and the rods that are drawn with it.
+  struct Round {
+    GlObject array;
+    VertexStream ball, rods;
+    IndexStream triangles;
+
+    Round(const Gl& gl, int sides);
+  };
+
+  const Gl* gl_;
+  PassPrograms programs_;
+  std::vector<Round> rounds_;
+};
+
+/// Draws boxes.
+class BoxPainter {
+ public:
+  BoxPainter(const Gl& gl, const ShaderLibrary& library, const Defines& defines);
+
+  void upload(const std::vector<BoxRecord>& boxes) { records_.upload(std::span(boxes)); }
+  void draw(Pass pass) const;
+
+ private:
+  const Gl* gl_;
+  PassPrograms programs_;
+  GlObject array_;
+  VertexStream records_;
 };
 
 }  // namespace taut

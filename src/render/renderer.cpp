@@ -2,206 +2,263 @@
 
 #include <algorithm>
 #include <array>
+#include <deque>
+#include <optional>
+#include <span>
 
-#include "base/failure.h"
-#include "frame_block.h"
-#include "gl.h"
-#include "ground_patch.h"
-#include "legend.h"
+#include "backdrop.h"
+#include "geometry/frame_block.h"
+#include "geometry/palette.h"
+#include "geometry/region.h"
+#include "gl/frame_uniforms.h"
+#include "layers.h"
 #include "painters.h"
-#include "targets.h"
-#include "view_matrices.h"
 
 namespace taut {
 namespace {
 
-// Every fourth grid line is a strong one; see shaders/ground.frag.
-constexpr float lines_a_period = 4.0F;
+// How far around its true edge a shadow is soft, in texels of its map; see shaders/lighting.glsl.
+constexpr float blur_in_texels = 6.0F;
 
-bool is_drawn(const Collider& collider) {
-  return !std::holds_alternative<HalfSpace>(collider.shape);
+Defines defines_of(const RenderSettings& settings, const Look& look) {
+  Defines defines;
+  if (settings.samples > 1) defines.emplace_back("MULTISAMPLED");
+  if (look.shadows && settings.shadow_map_size > 0) defines.emplace_back("SHADOWS");
+  return defines;
+}
+
+template <typename Vector>
+std::string constant(std::string_view name, const Vector& value) {
+  std::string text = std::string(name) + " vec" + std::to_string(Vector::length()) + "(";
+  for (int i = 0; i < Vector::length(); ++i) text += (i > 0 ? ", " : "") + std::to_string(value[i]);
+  return text + ")";
+}
+
+glm::vec3 vector_of(const Colour& colour) {
+  return {colour[0], colour[1], colour[2]};
+}
+
+// What shaders/frame.glsl and surface.frag take as numbers.
+Defines constants_of(const Look& look) {
+  const Palette colours = palette(look.theme);
+  return {constant("TO_LIGHT", direction_to_light()),
+          constant("LIGHT", colours.light),
+          constant("AMBIENT_BELOW", colours.ambient_below),
+          constant("AMBIENT_ABOVE", colours.ambient_above),
+          constant("HORIZON", colours.horizon),
+          constant("SKY", colours.sky),
+          constant("GROUND", glm::vec4(colours.ground, colours.grid_strength)),
+          constant("FRONT_COLOUR", vector_of(look.surface_colour)),
+          constant("BACK_COLOUR", vector_of(look.surface_back_colour))};
+}
+
+std::vector<Readback> one(Readback readback) {
+  std::vector<Readback> readbacks;
+  readbacks.push_back(std::move(readback));
+  return readbacks;
+}
+
+// Where in a pixel each pass is drawn that adds to its samples: a fourth of a pixel's fourth off the others.
+std::span<const glm::vec2> shifts_of(int passes) {
+  static constexpr std::array<glm::vec2, 2> two{glm::vec2(-0.0625F, -0.125F), glm::vec2(0.0625F, 0.125F)};
+  static constexpr std::array<glm::vec2, 1> one{glm::vec2(0.0F)};
+  return passes == 2 ? std::span<const glm::vec2>(two) : one;
 }
 
 }  // namespace
 
+// A frame that OpenGL has been told to draw.
+class Renderer::Submitted {
+ public:
+  std::shared_ptr<LitBackdrop> backdrop;  // absent where the picture is transparent
+  struct Part {
+    Region region;
+    std::vector<Readback> passes;
+  };
+  std::vector<Part> parts;
+  ColourScale scale;
+  GLsync done = nullptr;
+};
+
 /// The OpenGL side of a Renderer. Every call, the destructor's too, needs the context to be current.
 class Renderer::Drawing {
  public:
-  Drawing(const GlContext& context, const Model& model, const State& start, const Look& look,
-          const RenderSettings& settings, const ShaderLibrary& library);
-  Image draw(const State& state, const CameraPose& pose);
+  Drawing(const GlContext& context, const Look& look, const RenderSettings& settings,
+          const std::filesystem::path& shader_folder);
+  void submit(const Geometry& geometry);
+  Layers fetch();
 
  private:
-  bool casts_shadows() const { return look_.shadows && settings_.shadow_map_size > 0; }
-  bool draws_boxes() const { return look_.masses && look_.mass_shape == MassShape::box; }
-  bool draws_solids() const {
-    return (look_.bones && !model_.bones.empty()) ||
-           (look_.colliders && std::ranges::any_of(model_.colliders, is_drawn)) || draws_boxes();
-  }
-  bool draws_surface() const { return look_.surface && !model_.triangles.empty(); }
-  void upload(const State& seen, const Quantity& quantity, const ColourScale& scale);
-  SolidMesh solids_of(const State& seen, const PictureSpace& space, const Quantity& quantity,
-                      const ColourScale& scale) const;
-  void load_block(const FrameBlock& block) const;
-  FrameBlock draw_shadow_map(const Bounds& bounds, const PictureSpace& space) const;
-  void draw_picture(const FrameBlock& block, const CameraPose& pose, const PictureSpace& space) const;
+  bool casts_shadows() const { return shadow_map_.has_value(); }
+  void upload(const Geometry& geometry);
+  void draw_shadow_map(const Geometry& geometry);
+  FrameBlock camera(const Geometry& geometry, const glm::vec2& shift = glm::vec2(0.0F)) const;
+  std::vector<Readback> passes(const Geometry& geometry, const Region& region);
+  void draw_opaque(const Geometry& geometry) const;
   void draw_lattice() const;
-  void draw_backdrop(const FrameBlock& block, const CameraPose& pose, const PictureSpace& space) const;
+  Region shadows_on_grounds(const Geometry& geometry) const;
 
   Gl gl_;
-  const Model& model_;
-  std::optional<State> start_;  // only where orientations are drawn
-  Vec3 fixed_place_;            // m, what texels of the shadow map keep to: one that no camera moves
+  ShaderLibrary library_;
   Look look_;
   RenderSettings settings_;
-  Radii radii_;
-  std::vector<glm::vec2> pattern_;
   std::optional<Font> font_;
+  FrameUniforms uniforms_;
   PictureTarget target_;
-  ShadowMap shadow_map_;
-  ShadowMap no_shadow_map_;  // bound while the real one is drawn into, or when there is none
-  GlObject frame_buffer_;
-  SpherePainter spheres_;
-  LinkPainter links_;
+  std::optional<ShadowMap> shadow_map_;
+  FrameBlock light_;  // of the shadow map
+  SquarePainter spheres_, links_;
   SurfacePainter surface_;
-  std::optional<SolidPainter> solids_;  // only where there are any
-  BackdropPainter backdrop_;
+  RodPainter rods_;
+  BoxPainter boxes_;
+  std::optional<Backdrop> backdrop_;  // only where there is one
+  std::deque<Submitted> submitted_;   // and not fetched yet
 };
 
-Renderer::Drawing::Drawing(const GlContext& context, const Model& model, const State& start, const Look& look,
-                           const RenderSettings& settings, const ShaderLibrary& library)
+Renderer::Drawing::Drawing(const GlContext& context, const Look& look, const RenderSettings& settings,
+                           const std::filesystem::path& shader_folder)
     : gl_(context),
-      model_(model),
-      fixed_place_(start.position.size() > 0 ? start.position.at(0) : Vec3(Vec3::Zero())),
+      library_(shader_folder, constants_of(look)),
       look_(look),
       settings_(settings),
-      radii_(radii(model, look)),
-      pattern_(pattern_positions(model, look.pattern)),
-      target_(gl_, settings.size, settings.samples),
-      shadow_map_(gl_, casts_shadows() ? settings.shadow_map_size : 1),
-      no_shadow_map_(gl_, 1),
-      frame_buffer_(make_buffer(gl_)),
-      spheres_(gl_, library),
-      links_(gl_, library),
-      surface_(gl_, library, look),
-      backdrop_(gl_, library) {
+      uniforms_(gl_),
+      target_(gl_, settings.size, samples_at_once(gl_, settings.samples)),
+      spheres_(sphere_painter(gl_, library_, defines_of(settings, look))),
+      links_(link_painter(gl_, library_, defines_of(settings, look))),
+      surface_(gl_, library_, look, defines_of(settings, look)),
+      rods_(gl_, library_, defines_of(settings, look)),
+      boxes_(gl_, library_, defines_of(settings, look)) {
   if (look.colour_by != ColourBy::plain) font_ = Font::load();
-  if (draws_solids()) solids_.emplace(gl_, library);
-  if (draws_boxes()) start_ = start;
+  if (look.shadows && settings.shadow_map_size > 0) shadow_map_.emplace(gl_, settings.shadow_map_size);
+  if (!settings.transparent) backdrop_.emplace(gl_, library_, settings.size);
 }
 
-Image Renderer::Drawing::draw(const State& state, const CameraPose& pose) {
-  const Quantity values = quantity(model_, state, look_.colour_by);
-  const ColourScale scale = colour_scale(look_, model_, state, values);
-  const PictureSpace space(pose);
-  const State seen = space.seen(state);
-  upload(seen, values, scale);
-
-  Bounds bounds = bounds_of(seen, radii_.mass);
-  if (solids_) {
-    const SolidMesh mesh = solids_of(seen, space, values, scale);
-    solids_->upload(mesh);
-    bounds = with_mesh(bounds, mesh);
-  }
-  FrameBlock block = camera_block(pose, space, settings_.size, settings_.samples, bounds, look_);
+void Renderer::Drawing::submit(const Geometry& geometry) {
   gl_.enable(GL_DEPTH_TEST);
   gl_.depth_function(GL_LEQUAL);
   // The picture is drawn upside down, which turns triangles round.
   gl_.front_face(GL_CW);
-  if (casts_shadows()) add_shadow(block, draw_shadow_map(bounds, space));
-  draw_picture(block, pose, space);
+  upload(geometry);
+  if (casts_shadows()) draw_shadow_map(geometry);
 
-  Image image = target_.read(settings_.transparent ? 4 : 3);
-  if (font_) draw_legend(image, *font_, look_.colour_by, scale);
-  return image;
+  Submitted frame;
+  frame.scale = geometry.scale;
+  if (backdrop_) {
+    const FrameBlock block = camera(geometry);
+    uniforms_.load(block);
+    frame.backdrop = backdrop_->lit(geometry, block);
+    if (const Region region = shadows_on_grounds(geometry); !region.empty())
+      frame.parts.push_back({region, one(backdrop_->shaded(geometry, region))});
+  }
+  if (const Region region = drawn_region(geometry, settings_.size); !region.empty())
+    frame.parts.push_back({region, passes(geometry, region)});
+  frame.done = gl_.fence(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+  gl_.flush();
+  submitted_.push_back(std::move(frame));
 }
 
-void Renderer::Drawing::upload(const State& seen, const Quantity& values, const ColourScale& scale) {
-  spheres_.upload(std::span<const SphereRecord>(sphere_records(model_, seen, look_, radii_, values, scale)));
-  links_.upload(std::span<const LinkRecord>(link_records(model_, seen, look_, radii_, values, scale)));
-  if (draws_surface()) surface_.upload(surface_mesh(model_, seen, pattern_, values, scale));
+Layers Renderer::Drawing::fetch() {
+  const Submitted frame = std::move(submitted_.front());
+  submitted_.pop_front();
+  // Reading at once would wait for whatever has been submitted since, too.
+  gl_.wait_for_fence(frame.done, GL_SYNC_FLUSH_COMMANDS_BIT, GL_TIMEOUT_IGNORED);
+  gl_.delete_fence(frame.done);
+  Layers layers{settings_.size, {}, {}, {}};
+  if (frame.backdrop) layers.backdrop = frame.backdrop->image();
+  for (const Submitted::Part& part : frame.parts) {
+    Layer& layer = layers.parts.emplace_back(Layer{part.region, {}});
+    for (const Readback& pass : part.passes) layer.passes.push_back(pass.fetch());
+  }
+  if (font_) layers.legend = {*font_, look_.colour_by, frame.scale};
+  return layers;
 }
 
-SolidMesh Renderer::Drawing::solids_of(const State& seen, const PictureSpace& space, const Quantity& values,
-                                       const ColourScale& scale) const {
-  SolidMesh mesh;
-  if (look_.colliders)
-    for (const Collider& collider : model_.colliders)
-      add_shape(mesh, space.seen(collider.shape), look_.collider_colour);
-  if (look_.bones) add_bones(mesh, model_, seen, look_, values, scale);
-  if (start_) add_mass_boxes(mesh, model_, space.seen(*start_), seen, look_, radii_.mass, values, scale);
-  return mesh;
+void Renderer::Drawing::upload(const Geometry& geometry) {
+  spheres_.upload(geometry.spheres);
+  links_.upload(geometry.links);
+  if (geometry.surface.indices) surface_.upload(geometry.surface);
+  rods_.upload(geometry.bodies.rods, pixel_height(geometry.pose, settings_.size));
+  boxes_.upload(geometry.bodies.boxes);
 }
 
-void Renderer::Drawing::load_block(const FrameBlock& block) const {
-  gl_.bind_buffer_base(GL_UNIFORM_BUFFER, 0, frame_buffer_.name());
-  gl_.buffer_data(GL_UNIFORM_BUFFER, sizeof block, &block, GL_STREAM_DRAW);
-}
-
-FrameBlock Renderer::Drawing::draw_shadow_map(const Bounds& bounds, const PictureSpace& space) const {
-  const FrameBlock block = light_block(bounds, shadow_map_.size(), space.place(fixed_place_));
-  load_block(block);
-  no_shadow_map_.bind_for_reading();
-  shadow_map_.bind();
+void Renderer::Drawing::draw_shadow_map(const Geometry& geometry) {
+  light_ = light_block(geometry, shadow_map_->size());
+  uniforms_.load(light_);
+  shadow_map_->bind();
   gl_.clear(GL_DEPTH_BUFFER_BIT);
   gl_.enable(GL_POLYGON_OFFSET_FILL);
   gl_.polygon_offset(1.5F, 2.0F);
   // The shadow of a dense lattice is all moiré; the cloth's own triangles say the same, cleanly.
-  if (draws_surface()) {
-    surface_.draw_shadow();
+  if (geometry.surface.vertices.empty()) {
+    spheres_.draw(Pass::shadow);
+    links_.draw(Pass::shadow);
   } else {
-    spheres_.draw_shadow();
-    links_.draw_shadow();
+    surface_.draw(Pass::shadow);
   }
-  if (solids_) solids_->draw_shadow();
+  rods_.draw(Pass::shadow);
+  boxes_.draw(Pass::shadow);
   gl_.disable(GL_POLYGON_OFFSET_FILL);
+  shadow_map_->bind_for_reading();
+  if (geometry.surface.vertices.empty()) return;
+  const FrameBlock block = camera(geometry);
+  uniforms_.load(block);
+  surface_.draw_light(geometry.surface, block,
+                      1.0F / (reach_of(geometry.pose) * pixel_height(geometry.pose, settings_.size)));
+}
+
+FrameBlock Renderer::Drawing::camera(const Geometry& geometry, const glm::vec2& shift) const {
+  FrameBlock block = camera_block(geometry, settings_.size, shift);
+  if (casts_shadows()) add_shadow(block, light_);
   return block;
 }
 
-void Renderer::Drawing::draw_picture(const FrameBlock& block, const CameraPose& pose,
-                                     const PictureSpace& space) const {
-  load_block(block);
-  (casts_shadows() ? shadow_map_ : no_shadow_map_).bind_for_reading();
-  target_.bind();
-  gl_.clear_colour(0.0F, 0.0F, 0.0F, 0.0F);
-  gl_.clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  if (draws_surface()) surface_.draw();
-  if (solids_) solids_->draw();
-  draw_lattice();
-  if (!settings_.transparent) draw_backdrop(block, pose, space);
+std::vector<Readback> Renderer::Drawing::passes(const Geometry& geometry, const Region& region) {
+  // Edges of spheres and links are as smooth as there are samples, and only theirs are not the driver's.
+  const bool shared = target_.samples() > 1 && !(geometry.spheres.empty() && geometry.links.empty());
+  std::vector<Readback> drawn;
+  for (const glm::vec2& shift : shifts_of(settings_.samples / target_.samples())) {
+    uniforms_.load(camera(geometry, shift));
+    target_.begin(region, shared ? Alpha::share : Alpha::cover);
+    if (backdrop_ && std::ranges::any_of(geometry.grounds, [&](const GroundPatch& ground) {
+          return may_hide(ground, geometry);
+        }))
+      backdrop_->draw_depth(geometry);
+    draw_opaque(geometry);
+    draw_lattice();
+    drawn.push_back(target_.end());
+  }
+  return drawn;
+}
+
+void Renderer::Drawing::draw_opaque(const Geometry& geometry) const {
+  if (!geometry.surface.vertices.empty()) surface_.draw(Pass::colour);
+  gl_.enable(GL_CULL_FACE);
+  rods_.draw(Pass::colour);
+  boxes_.draw(Pass::colour);
+  gl_.disable(GL_CULL_FACE);
 }
 
 void Renderer::Drawing::draw_lattice() const {
-  if (settings_.samples > 1) {
-    gl_.enable(GL_SAMPLE_ALPHA_TO_COVERAGE);
-    // Coverage has then done its work; what is covered is opaque.
-    gl_.enable(GL_SAMPLE_ALPHA_TO_ONE);
-  }
-  spheres_.draw();
-  links_.draw();
+  if (target_.samples() > 1) gl_.enable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+  spheres_.draw(Pass::colour);
+  links_.draw(Pass::colour);
   gl_.disable(GL_SAMPLE_ALPHA_TO_COVERAGE);
-  gl_.disable(GL_SAMPLE_ALPHA_TO_ONE);
 }
 
-void Renderer::Drawing::draw_backdrop(const FrameBlock& block, const CameraPose& pose,
-                                      const PictureSpace& space) const {
-  const double period = static_cast<double>(block.fog.z * lines_a_period);
-  for (const Ground& ground : drawn_grounds(model_, look_, pose.up)) {
-    const GroundPatch patch = ground_patch(ground, space, period);
-    // From below there is no ground in the way of the scene.
-    if (patch.height > 0.0F) backdrop_.draw_ground(patch);
-  }
-  const glm::mat3 axes = glm::transpose(glm::mat3(view_matrix(pose, space)));
-  const float half_height = 0.5F * block.view.x * static_cast<float>(settings_.size.height);
-  const float half_width = 0.5F * block.view.x * static_cast<float>(settings_.size.width);
-  backdrop_.draw_sky(axes[0] * half_width, -axes[1] * half_height);
+Region Renderer::Drawing::shadows_on_grounds(const Geometry& geometry) const {
+  Region region;
+  if (!casts_shadows()) return region;
+  for (const GroundPatch& ground : geometry.grounds)
+    region =
+        around(region, shadow_region(geometry, ground, settings_.size, blur_in_texels * light_.shadow.z));
+  return region;
 }
 
-Renderer::Renderer(GlContext& context, const Model& model, const State& start, const Look& look,
-                   const RenderSettings& settings, const std::filesystem::path& shader_folder)
+Renderer::Renderer(GlContext& context, const Look& look, const RenderSettings& settings,
+                   const std::filesystem::path& shader_folder)
     : context_(context) {
   const CurrentContext current(context_);
-  drawing_ = std::make_unique<Drawing>(context, model, start, look, settings, ShaderLibrary(shader_folder));
+  drawing_ = std::make_unique<Drawing>(context, look, settings, shader_folder);
 }
 
 Renderer::~Renderer() {
@@ -209,9 +266,19 @@ Renderer::~Renderer() {
   drawing_.reset();
 }
 
-Image Renderer::draw(const State& state, const CameraPose& pose) {
+void Renderer::submit(const Geometry& geometry) {
   const CurrentContext current(context_);
-  return drawing_->draw(state, pose);
+  drawing_->submit(geometry);
+}
+
+std::shared_ptr<const Layers> Renderer::fetch() {
+  const CurrentContext current(context_);
+  return std::make_shared<const Layers>(drawing_->fetch());
+}
+
+std::shared_ptr<const Layers> Renderer::draw(const Geometry& geometry) {
+  submit(geometry);
+  return fetch();
 }
 
 }  // namespace taut

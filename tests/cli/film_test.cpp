@@ -64,6 +64,74 @@ TEST_F(FilmTest, WebpIsAnAnimation) {
   EXPECT_NE(bytes.find("ANMF"), std::string::npos);
 }
 
+// Every frame of an animation as a whole: what is only changed in places leaves ghosts.
+TEST_F(FilmTest, WebpHasWholeFramesOnly) {
+  const std::string film = folder_ / "film.webp";
+  ASSERT_EQ(render({"--film", film}).status, 0);
+  const std::string bytes = read_file(film);
+  const auto number_at = [&](std::size_t at) {  // 24 bits, the lowest first
+    return static_cast<unsigned char>(bytes.at(at)) | static_cast<unsigned char>(bytes.at(at + 1)) << 8 |
+           static_cast<unsigned char>(bytes.at(at + 2)) << 16;
+  };
+  int frames = 0;
+  for (std::size_t at = bytes.find("ANMF"); at != std::string::npos; at = bytes.find("ANMF", at + 4)) {
+    ++frames;
+    // After the chunk's name and length: left, top, width − 1, height − 1.
+    EXPECT_EQ(number_at(at + 8), 0);
+    EXPECT_EQ(number_at(at + 11), 0);
+    EXPECT_EQ(number_at(at + 14), 63);
+    EXPECT_EQ(number_at(at + 17), 47);
+  }
+  EXPECT_EQ(frames, 30);
+}
+
+TEST_F(FilmTest, TelevisionsRatesAreExact) {
+  for (const std::string ending : {"mp4", "webm"}) {
+    const std::string film = folder_ / ("film." + ending);
+    const Ran ran = render({"--film", film, "--fps", "24000/1001", "--overwrite"});
+    ASSERT_EQ(ran.status, 0) << ran.err;
+    const Json stream = probe(film)["streams"][0];
+    EXPECT_EQ(stream["r_frame_rate"], "24000/1001") << ending;
+    EXPECT_EQ(stream["nb_read_frames"], "23") << ending;
+  }
+}
+
+TEST_F(FilmTest, GoesIntoAPipeAsItGrows) {
+  // Standard output, in the usual format and in others; and a pipe with a name.
+  const auto into = [&](const std::string& film, const std::string& command) {
+    const std::string words = std::string(TAUT_PROGRAM) + " render " + scene_ +
+                              " --no-frames --size 64x48 --quiet " + "--film " + film + command;
+    const Ran ran =
+        run_program("bash", {"-c", "set -o pipefail; cd " + folder_.path().string() + "; " + words});
+    EXPECT_EQ(ran.status, 0) << film << ": " << ran.err;
+  };
+  for (const auto& [film, format] : {std::pair{"-", "mp4"}, {"webm:-", "webm"}, {"gif:-", "gif"}}) {
+    into(film, " | cat > piped");
+    const Json found = probe(folder_ / "piped");
+    EXPECT_NE(found["format"]["format_name"].get<std::string>().find(format), std::string::npos) << film;
+    EXPECT_EQ(found["streams"][0]["nb_read_frames"], "30") << film;
+  }
+  ASSERT_EQ(run_program("mkfifo", {folder_ / "named.mp4"}).status, 0);
+  into("named.mp4", " & cat named.mp4 > piped; wait $!");
+  EXPECT_TRUE(fs::is_fifo(folder_ / "named.mp4")) << "a pipe is written into, not replaced";
+  EXPECT_EQ(probe(folder_ / "piped")["streams"][0]["nb_read_frames"], "30");
+}
+
+TEST_F(FilmTest, WhatCannotBePipedIsSaidBeforehand) {
+  const Ran webp = taut({"render", scene_, "--no-frames", "--film", "webp:-"}, {}, folder_.path());
+  EXPECT_EQ(webp.status, 2);
+  EXPECT_NE(webp.err.find("pipe"), std::string::npos) << webp.err;
+  EXPECT_EQ(render({"--film", "-"}).status, 2) << "where JSON goes already";
+}
+
+TEST_F(FilmTest, ABrokenPipeIsAnError) {
+  const Ran ran =
+      run_program("bash", {"-c", std::string(TAUT_PROGRAM) + " render " + scene_ +
+                                     " --no-frames --size 640x480 --film - | true; exit ${PIPESTATUS[0]}"});
+  EXPECT_EQ(ran.status, 1) << ran.err;
+  EXPECT_NE(ran.err.find("ffmpeg could not make"), std::string::npos) << ran.err;
+}
+
 TEST_F(FilmTest, NeedsNoFrames) {
   const std::string film = folder_ / "film.mp4";
   const Ran ran =

@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "program.h"
@@ -65,6 +67,36 @@ TEST_F(RenderTest, MakesWholeFramesAndAManifest) {
   EXPECT_EQ(summary["frames"]["there"], 30);
   EXPECT_EQ(summary["frames"]["kept"], 0);
   EXPECT_EQ(summary["last_state_hash"], manifest["frames"]["30"]);
+}
+
+TEST_F(RenderTest, SaysWhatDrewAndWhereTheTimeWent) {
+  const Ran ran = render({"-v", "--film", folder_ / "film.mp4"});
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  const Json summary = Json::parse(ran.out);
+  const std::string drawn_by = summary["drawn_by"];
+  EXPECT_NE(drawn_by.find("OpenGL"), std::string::npos) << drawn_by;
+  EXPECT_EQ(Json::parse(read_file(frames_ + "/manifest.json"))["drawn_by"], drawn_by);
+  double sum = 0.0;
+  for (const char* stage : {"simulate", "shape", "draw", "flatten", "compress", "write", "feed", "encode"}) {
+    ASSERT_TRUE(summary["stage_seconds"].contains(stage)) << stage;
+    EXPECT_GT(summary["stage_seconds"][stage], 0.0) << stage;
+    sum += summary["stage_seconds"][stage].get<double>();
+  }
+  const double cores = std::max(1U, std::thread::hardware_concurrency());
+  EXPECT_LT(sum, 1.2 * cores * summary["seconds"].get<double>() + 0.2) << "no time is counted twice";
+  EXPECT_NE(ran.err.find("milliseconds of a processor a frame"), std::string::npos) << ran.err;
+  EXPECT_EQ(render({"--overwrite"}).err.find("milliseconds of a processor"), std::string::npos);
+}
+
+TEST_F(RenderTest, AQualityGoesWithASize) {
+  const Ran draft = render({"--quality", "draft", "--frames", "1"});
+  ASSERT_EQ(draft.status, 0) << draft.err;
+  const Json manifest = Json::parse(read_file(frames_ + "/manifest.json"));
+  EXPECT_EQ(manifest["width"], 64);
+  EXPECT_NE(manifest["picture"].get<std::string>().find("1 samples, shadows 0"), std::string::npos)
+      << manifest["picture"];
+  ASSERT_EQ(render({"--quality", "fine", "--frames", "1", "--overwrite"}).status, 0);
+  EXPECT_NE(read_file(frames_ + "/manifest.json").find("8 samples, shadows 2048"), std::string::npos);
 }
 
 TEST_F(RenderTest, TheManifestsSceneGivesTheSameStates) {

@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "base/failure.h"
 #include "render/camera.h"
@@ -274,10 +276,9 @@ TEST(Transparency, EdgesKeepTheirColour) {
 }
 
 TEST(Settings, SizesThatCannotBeDrawnAreRefused) {
-  const Built scene = row_of_masses({{0, 0, 0}});
   const auto context = make_gl_context();
   for (const Size bad : {Size{0, 100}, Size{100, -1}, Size{1000000, 100}}) {
-    EXPECT_THROW(Renderer(*context, scene.model, scene.start, bare_look(), cut_out(bad)), BadRequest);
+    EXPECT_THROW(Renderer(*context, bare_look(), cut_out(bad)), BadRequest);
   }
 }
 
@@ -291,8 +292,7 @@ TEST(Renderer, DrawsTheSamePictureTwice) {
   const Built scene = testing::folded_sheet(8, 8);
   Look look;
   look.surface = true;
-  const auto context = make_gl_context();
-  Renderer renderer(*context, scene.model, scene.start, look, {.size = size});
+  testing::StatePainter renderer(scene, look, {.size = size});
   const CameraPose pose{{1, 1, 5}, {0, 1, 0}, 38.0};
   const Image first = renderer.draw(scene.start, pose);
   State moved = scene.start;
@@ -300,6 +300,68 @@ TEST(Renderer, DrawsTheSamePictureTwice) {
   const Image second = renderer.draw(moved, pose);
   EXPECT_EQ(first.pixels, renderer.draw(scene.start, pose).pixels);
   EXPECT_NE(first.pixels, second.pixels);
+}
+
+TEST(Renderer, DrawsTheSameWhateverItDrewBefore) {
+  Built scene = testing::all_kinds();
+  Look look;
+  look.surface = true;
+  const std::array<CameraPose, 3> poses{CameraPose{{1.5, 1.6, 4.2}, {0.0, 0.8, 0.0}, 38.0},
+                                        CameraPose{{-2.0, 0.6, 3.0}, {0.0, 0.8, 0.0}, 50.0},
+                                        CameraPose{{0.3, 4.0, 1.0}, {0.0, 0.0, 0.0}, 38.0}};
+  testing::StatePainter one(scene, look, {.size = size});
+  for (const std::size_t i : {0U, 1U, 1U, 2U, 0U}) {
+    testing::StatePainter fresh(scene, look, {.size = size});
+    EXPECT_EQ(one.draw(scene.start, poses.at(i)).pixels, fresh.draw(scene.start, poses.at(i)).pixels) << i;
+  }
+}
+
+TEST(Renderer, HandsOutFramesInTheOrderTheyWereSubmitted) {
+  const Built scene = testing::folded_sheet(8, 8);
+  Look look;
+  look.surface = true;
+  testing::StatePainter painter(scene, look, {.size = size});
+  const CameraPose pose{{1, 1, 5}, {0, 1, 0}, 38.0};
+  State moved = scene.start;
+  for (std::size_t i = 0; i < moved.position.size(); ++i) moved.position.add(i, {0.1, 0.2, 0.3});
+  const Image first = painter.draw(scene.start, pose), second = painter.draw(moved, pose);
+  for (int round = 0; round < 3; ++round) {
+    painter.renderer().submit(*painter.maker().make(scene.start, pose));
+    painter.renderer().submit(*painter.maker().make(moved, pose));
+    EXPECT_EQ(flatten(*painter.renderer().fetch()).pixels, first.pixels);
+    EXPECT_EQ(flatten(*painter.renderer().fetch()).pixels, second.pixels);
+  }
+}
+
+/// How many different shares of a pixel the edges of a picture's things cover.
+std::size_t levels_of_alpha(int samples) {
+  const Built scene = testing::folded_sheet(8, 8);
+  Look look = bare_look();
+  look.surface = true;
+  RenderSettings settings = cut_out(size);
+  settings.samples = samples;
+  const Image image =
+      draw_once(scene.model, scene.start, look, settings, {{0.4, 1.3, 5.0}, {0.0, 1.3, 0.0}, 38.0});
+  std::set<int> levels;
+  for (std::size_t i = 3; i < image.pixels.size(); i += 4) levels.insert(image.pixels[i]);
+  return levels.size();
+}
+
+TEST(Samples, EightMakeSmootherEdgesThanFour) {
+  EXPECT_EQ(levels_of_alpha(1), 2U);
+  EXPECT_EQ(levels_of_alpha(4), 5U);
+  EXPECT_GE(levels_of_alpha(8), 8U);
+}
+
+TEST(Settings, AQualityGoesWithAnySize) {
+  EXPECT_EQ(render_settings_for(Quality::standard).shadow_map_size,
+            render_settings_for(Quality::standard, Size{640, 360}).shadow_map_size);
+  const RenderSettings large = render_settings_for(Quality::fine, Size{3840, 2160});
+  EXPECT_EQ(large.samples, render_settings_for(Quality::fine).samples);
+  EXPECT_EQ(large.size.width, 3840);
+  EXPECT_EQ(large.shadow_map_size, 4096);
+  EXPECT_EQ(render_settings_for(Quality::draft, Size{3840, 2160}).shadow_map_size, 0);
+  EXPECT_LE(render_settings_for(Quality::fine, Size{16384, 16384}).shadow_map_size, 8192);
 }
 
 }  // namespace

@@ -12,43 +12,6 @@
 namespace taut {
 namespace {
 
-// Something of all that is drawn: masses, links, cloth, a body, solids.
-Built all_kinds() {
-  Description description;
-  for (int i = 0; i < 8; ++i) {
-    MassSpec mass;
-    mass.name = testing::mass_name(static_cast<std::size_t>(i));
-    mass.position = {-1.3 + 0.15 * i, 1.4 - 0.1 * i, 0.3};
-    mass.pinned = i == 0;
-    description.masses.push_back(mass);
-    if (i == 0) continue;
-    LinkSpec link;
-    link.a = testing::mass_name(static_cast<std::size_t>(i - 1));
-    link.b = mass.name;
-    description.links.push_back(link);
-  }
-  SheetSpec sheet;
-  sheet.name = "cloth";
-  sheet.rows = sheet.columns = 6;
-  sheet.from = {0.2, 1.7, -0.4};
-  sheet.to = {1.2, 1.7, 0.0};
-  sheet.down = {0.1, -0.8, 0.3};
-  sheet.pinned = {"top"};
-  description.sheets.push_back(sheet);
-  RagdollSpec doll;
-  doll.name = "doll";
-  doll.position = {0.9, 0.9, 0.6};
-  doll.height = 1.0;
-  description.ragdolls.push_back(doll);
-  BoxSpec box;
-  box.centre = {-0.6, 0.3, -0.2};
-  box.size = {0.5, 0.6, 0.4};
-  box.turn = {10.0, 30.0, 0.0};
-  description.boxes.push_back(box);
-  description.capsules = {CapsuleSpec{{0.1, 0.2, 0.5}, {0.3, 0.4, 0.1}, 0.12, 0.5, 0.0}};
-  return build(description);
-}
-
 // A change of place of everything: x becomes turn·x + shift.
 struct Move {
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
@@ -77,7 +40,7 @@ struct View {
 };
 
 View plain_view() {
-  View view{all_kinds(), {}, {}};
+  View view{testing::all_kinds(), {}, {}};
   view.look.surface = true;
   view.look.pattern = Pattern::checker;
   view.look.ground_height = 0.0;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <string>
 
@@ -61,6 +62,43 @@ inline Built folded_sheet(int rows, int columns) {
   return built;
 }
 
+/// Something of all that is drawn: masses, links, cloth, a body, solids.
+inline Built all_kinds() {
+  Description description;
+  for (int i = 0; i < 8; ++i) {
+    MassSpec mass;
+    mass.name = mass_name(static_cast<std::size_t>(i));
+    mass.position = {-1.3 + 0.15 * i, 1.4 - 0.1 * i, 0.3};
+    mass.pinned = i == 0;
+    description.masses.push_back(mass);
+    if (i == 0) continue;
+    LinkSpec link;
+    link.a = mass_name(static_cast<std::size_t>(i - 1));
+    link.b = mass.name;
+    description.links.push_back(link);
+  }
+  SheetSpec sheet;
+  sheet.name = "cloth";
+  sheet.rows = sheet.columns = 6;
+  sheet.from = {0.2, 1.7, -0.4};
+  sheet.to = {1.2, 1.7, 0.0};
+  sheet.down = {0.1, -0.8, 0.3};
+  sheet.pinned = {"top"};
+  description.sheets.push_back(sheet);
+  RagdollSpec doll;
+  doll.name = "doll";
+  doll.position = {0.9, 0.9, 0.6};
+  doll.height = 1.0;
+  description.ragdolls.push_back(doll);
+  BoxSpec box;
+  box.centre = {-0.6, 0.3, -0.2};
+  box.size = {0.5, 0.6, 0.4};
+  box.turn = {10.0, 30.0, 0.0};
+  description.boxes.push_back(box);
+  description.capsules = {CapsuleSpec{{0.1, 0.2, 0.5}, {0.3, 0.4, 0.1}, 0.12, 0.5, 0.0}};
+  return build(description);
+}
+
 /// Looking along −z from 5 m away.
 inline CameraPose straight_on() {
   return {{0.0, 0.0, 5.0}, {0.0, 0.0, 0.0}, 38.0};
@@ -77,12 +115,31 @@ inline RenderSettings cut_out(Size picture) {
   return {.size = picture, .samples = 4, .shadow_map_size = 0, .transparent = true};
 }
 
+/// Draws states of a model.
+class StatePainter {
+ public:
+  StatePainter(const Built& scene, const Look& look, const RenderSettings& settings, const GlChoice& gl = {})
+      : context_(make_gl_context(gl)),
+        maker_(scene.model, scene.start, look),
+        renderer_(*context_, look, settings) {}
+
+  Image draw(const State& state, const CameraPose& pose) {
+    return flatten(*renderer_.draw(*maker_.make(state, pose)));
+  }
+  Renderer& renderer() { return renderer_; }
+  GeometryMaker& maker() { return maker_; }
+
+ private:
+  std::unique_ptr<GlContext> context_;
+  GeometryMaker maker_;
+  Renderer renderer_;
+};
+
 inline Image draw_once(const Model& model, const State& state, const Look& look,
-                       const RenderSettings& settings, const CameraPose& pose,
-                       GlBackend backend = GlBackend::automatic) {
-  const auto context = make_gl_context(backend);
-  Renderer renderer(*context, model, state, look, settings);
-  return renderer.draw(state, pose);
+                       const RenderSettings& settings, const CameraPose& pose, const GlChoice& gl = {}) {
+  const auto context = make_gl_context(gl);
+  GeometryMaker maker(model, state, look);
+  return flatten(*Renderer(*context, look, settings).draw(*maker.make(state, pose)));
 }
 
 /// One channel of one pixel.

@@ -118,8 +118,7 @@ TEST(MassBoxes, TurnWithTheirLinks) {
     const double along = static_cast<double>(i) - 1.0;
     turned.position.set(i, Vec3(along, along, 0.0) / std::sqrt(2.0));
   }
-  const auto context = make_gl_context(GlBackend::automatic);
-  Renderer renderer(*context, scene.model, scene.start, look, cut_out(size));
+  testing::StatePainter renderer(scene, look, cut_out(size));
   EXPECT_EQ(alpha_at(renderer.draw(scene.start, straight_on()), {0.25, 0.25, 0.3}), 255)
       << "a square's corner";
   const Image image = renderer.draw(turned, straight_on());

@@ -20,35 +20,35 @@ std::string problem_of(const FilmSettings& settings) {
 
 TEST(FilmSettings, EveryEndingIsFineWithEvenSizes) {
   for (const char* file : {"a.mp4", "a.webm", "a.gif", "a.webp", "A.MP4"})
-    EXPECT_EQ(problem_of({file, {64, 48}, 30.0, false}), "") << file;
+    EXPECT_EQ(problem_of({file, {64, 48}, {30}, false}), "") << file;
 }
 
 TEST(FilmSettings, OddSizesAreExplainedWhereColourIsStoredForSquares) {
-  EXPECT_EQ(problem_of({"a.mp4", {65, 49}, 30.0, false}),
+  EXPECT_EQ(problem_of({"a.mp4", {65, 49}, {30}, false}),
             ".mp4 films store colour for squares of 2×2 pixels, so width and height have to be even: 66x50 "
             "instead of 65x49");
-  EXPECT_NE(problem_of({"a.webm", {64, 49}, 30.0, false}), "");
-  EXPECT_EQ(problem_of({"a.gif", {65, 49}, 30.0, false}), "");
-  EXPECT_EQ(problem_of({"a.webp", {65, 49}, 30.0, false}), "");
+  EXPECT_NE(problem_of({"a.webm", {64, 49}, {30}, false}), "");
+  EXPECT_EQ(problem_of({"a.gif", {65, 49}, {30}, false}), "");
+  EXPECT_EQ(problem_of({"a.webp", {65, 49}, {30}, false}), "");
 }
 
 TEST(FilmSettings, UnknownEndingsAreToldTheKnownOnes) {
-  EXPECT_EQ(problem_of({"a.avi", {64, 48}, 30.0, false}),
+  EXPECT_EQ(problem_of({"a.avi", {64, 48}, {30}, false}),
             "a film's name has to end in one of .mp4, .webm, .gif, .webp; \"a.avi\" does not");
-  EXPECT_NE(problem_of({"mp4", {64, 48}, 30.0, false}), "");
+  EXPECT_NE(problem_of({"mp4", {64, 48}, {30}, false}), "");
 }
 
 TEST(FilmSettings, TransparencyNeedsAFormatThatHasIt) {
-  EXPECT_EQ(problem_of({"a.webm", {64, 48}, 30.0, true}), "");
-  EXPECT_EQ(problem_of({"a.webp", {64, 48}, 30.0, true}), "");
-  EXPECT_EQ(problem_of({"a.mp4", {64, 48}, 30.0, true}),
+  EXPECT_EQ(problem_of({"a.webm", {64, 48}, {30}, true}), "");
+  EXPECT_EQ(problem_of({"a.webp", {64, 48}, {30}, true}), "");
+  EXPECT_EQ(problem_of({"a.mp4", {64, 48}, {30}, true}),
             ".mp4 films can't be transparent; .webm and .webp can");
 }
 
 TEST(Film, AnAbandonedOneLeavesNothing) {
   const testing::TemporaryFolder folder;
   {
-    Film film({folder / "a.mp4", {64, 48}, 30.0, false});
+    Film film({folder / "a.mp4", {64, 48}, {30}, false});
     film.add(Image::blank({64, 48}, 3));
   }
   EXPECT_EQ(folder.entries(), 0U);

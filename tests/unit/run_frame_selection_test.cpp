@@ -36,18 +36,18 @@ TEST(SelectionText, IsTheShortestThatMeansTheSame) {
 }
 
 TEST(FrameCount, IsDurationTimesRate) {
-  EXPECT_EQ(frame_count(8.0, 30.0), 240);
-  EXPECT_EQ(frame_count(0.1, 30.0), 3);  // a little less than 3 in binary
-  EXPECT_EQ(frame_count(1.0, 29.97), 29);
-  EXPECT_THROW(frame_count(0.01, 30.0), BadRequest);
-  EXPECT_THROW(frame_count(0.0, 30.0), BadRequest);
-  EXPECT_THROW(frame_count(1e6, 30.0), BadRequest);
+  EXPECT_EQ(frame_count(8.0, {30}), 240);
+  EXPECT_EQ(frame_count(0.1, {30}), 3);  // a little less than 3 in binary
+  EXPECT_EQ(frame_count(1.0, {2997, 100}), 29);
+  EXPECT_THROW(frame_count(0.01, {30}), BadRequest);
+  EXPECT_THROW(frame_count(0.0, {30}), BadRequest);
+  EXPECT_THROW(frame_count(1e6, {30}), BadRequest);
 }
 
 TEST(FrameTime, StartsAtZero) {
-  EXPECT_EQ(frame_time(1, 30.0), 0.0);
-  EXPECT_EQ(frame_time(31, 30.0), 1.0);
-  EXPECT_EQ(frame_time(4, 30.0), frame_time(7, 60.0));
+  EXPECT_EQ(frame_time(1, {30}), 0.0);
+  EXPECT_EQ(frame_time(31, {30}), 1.0);
+  EXPECT_EQ(frame_time(4, {30}), frame_time(7, {60}));
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ TEST(Simulation, StepsAreAtExactTimes) {
 TEST(Simulation, IsNotChangedByWhatIsAskedOfIt) {
   const Scene scene = thrown_mass("xpbd");
   Simulation often(scene), once(scene);
-  for (int frame = 1; frame <= 240; ++frame) often.at(frame_time(frame, 241.3));
+  for (int frame = 1; frame <= 240; ++frame) often.at(frame_time(frame, {2413, 10}));
   EXPECT_EQ(state_hash(*often.at(1.0)), state_hash(*once.at(1.0)));
 }
 
@@ -73,11 +73,11 @@ TEST(Simulation, ShowsTheSameAtOneTimeForAnyFrameRate) {
   Simulation slow(scene), fast(scene);
   std::vector<std::uint64_t> every_fifth;
   for (int frame = 1; frame <= 150; ++frame) {
-    const std::uint64_t hash = state_hash(*fast.at(frame_time(frame, 150.0)));
+    const std::uint64_t hash = state_hash(*fast.at(frame_time(frame, {150})));
     if (frame % 5 == 1) every_fifth.push_back(hash);
   }
   for (int frame = 1; frame <= 30; ++frame)
-    EXPECT_EQ(state_hash(*slow.at(frame_time(frame, 30.0))), every_fifth[static_cast<std::size_t>(frame - 1)])
+    EXPECT_EQ(state_hash(*slow.at(frame_time(frame, {30}))), every_fifth[static_cast<std::size_t>(frame - 1)])
         << frame;
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
+#include <span>
 #include <string>
 
 #include "output/manifest.h"
@@ -26,13 +28,15 @@ class FrameFolder {
   bool has(int frame) const { return manifest_.frames.contains(frame); }
   std::filesystem::path frame_file(int frame) const;
 
-  /// Writes a frame and remembers what it shows. The manifest on disk follows now and then. Throws
+  /// Writes a frame's file and remembers what it shows. The manifest on disk follows now and then. Throws
   /// RunFailure.
-  void write(int frame, const Image& image, const std::string& state_hash);
+  void write(int frame, std::span<const std::uint8_t> png, const std::string& state_hash);
   /// Remembers a film, in place of one of the same name.
   void add_film(const FilmRecord& film);
   /// Remembers which steps could only be made in parts (Manifest::halvings).
   void set_halvings(const std::string& halvings) { manifest_.halvings = halvings; }
+  /// Remembers what draws (GlContext::description()).
+  void set_drawn_by(const std::string& drawn_by) { manifest_.drawn_by = drawn_by; }
   /// Brings the manifest on disk up to date. Throws RunFailure.
   void save();
 

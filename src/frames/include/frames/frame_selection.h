@@ -4,14 +4,16 @@
 #include <string_view>
 #include <vector>
 
+#include "base/frame_rate.h"
+
 namespace taut {
 
 /// How many frames a film of that many seconds has. Throws BadRequest when it is none, or more than a frame's
 /// name has digits for.
-int frame_count(double duration, double frames_per_second);
+int frame_count(double duration, const FrameRate& rate);
 
 /// When frame n, counted from 1, is: (n − 1)/fps seconds.
-double frame_time(int frame, double frames_per_second);
+double frame_time(int frame, const FrameRate& rate);
 
 /// The frames that a text such as "1-100:2,150" means (from 1 to 100, every second one, and 150), in rising
 /// order, each once. Throws BadRequest when it is not of that form or goes beyond `count`.

@@ -7,8 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "base/frame_rate.h"
 #include "frames/painter.h"
 #include "frames/simulation.h"
+#include "frames/stage_times.h"
 #include "host/progress.h"
 #include "scene/scene.h"
 
@@ -19,10 +21,11 @@ struct RenderRequest {
   std::optional<std::filesystem::path> folder;  ///< for frames and their manifest; absent: no frames
   std::optional<std::filesystem::path> film;
   std::optional<std::string> selection;  ///< such as "1-100:2,150"; absent: every frame
-  double frames_per_second = 30.0;
+  FrameRate rate;
   PictureSettings picture;
   bool overwrite = false;
   Execution execution = {};  ///< of the simulation
+  int cores = 1;             ///< that all stages have together
   /// Shown every state of the run as it is simulated (of several, of the first); may be empty.
   std::function<void(const State&)> watch;
   std::string plan;  ///< why the scene is run as it is, for the manifest; may be empty
@@ -40,19 +43,23 @@ struct RenderOutcome {
   std::size_t asked = 0;  ///< frames
   std::size_t shown = 0;  ///< of those, the ones that are there now or went into the film
   std::size_t kept = 0;   ///< of those, the ones that were there before
+  std::size_t drawn = 0;  ///< frames
   bool film_kept = false;
   bool stopped = false;  ///< told to stop before the end; no film then
   double seconds = 0.0;
   std::string inputs;                ///< hash of everything that decides what the frames look like
   std::string last_state_hash;       ///< of the last frame's state; empty when nothing was simulated
   std::vector<PanelOutcome> panels;  ///< one a panel; empty when nothing was simulated
+  StageSeconds stages;               ///< empty when nothing was simulated
+  std::string drawn_by;  ///< what drew (GlContext::description()); empty when nothing was simulated
   /// What is odd about the pictures, from the first that is (ground_note.h).
   std::optional<std::string> note;
 };
 
 /// Renders a scene to frames and a film, run in one way, or in several ways side by side: `scenes` differ in
 /// method and settings alone. Where one of several fails, its picture stays as it was, and says so.
-/// Simulation, drawing, compression and film each in a thread of their own. What is there already from the
+/// Every stage (stage_times.h) runs in a thread of its own, with a few frames between them, so that memory
+/// doesn't grow with the film's length. What is there already from the
 /// same inputs is kept. Throws BadRequest and OutputConflict before anything is written, RunFailure for
 /// everything later (frames made until then stay, a film does not).
 RenderOutcome render_frames(std::span<const Scene> scenes, const RenderRequest& request, Progress& progress,

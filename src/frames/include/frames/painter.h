@@ -5,7 +5,9 @@
 #include <string>
 
 #include "base/image.h"
+#include "render/geometry.h"
 #include "render/gl_context.h"
+#include "render/layers.h"
 #include "render/renderer.h"
 #include "scene/scene.h"
 
@@ -14,7 +16,7 @@ namespace taut {
 /// How pictures are to be made, beyond what the scene says.
 struct PictureSettings {
   RenderSettings render;
-  GlBackend backend = GlBackend::automatic;
+  GlChoice gl;
   std::filesystem::path shader_folder;  ///< takes the place of the built-in shaders; empty: those
 };
 
@@ -24,7 +26,7 @@ void check_size(Size size);
 /// The settings as text in which any difference that shows in a picture shows.
 std::string settings_text(const PictureSettings& settings);
 
-/// Draws the states of one scene. To be used in the thread that made it.
+/// Draws the states of one scene. Each step may run in a thread of its own, one at a time in each.
 class Painter {
  public:
   /// Refers to the scene from then on. Throws RunFailure when there is no way to draw.
@@ -33,7 +35,17 @@ class Painter {
   Painter(const Painter&) = delete;
   Painter& operator=(const Painter&) = delete;
 
+  /// What is seen of a state.
+  std::shared_ptr<const Geometry> shape(const State& state);
+  /// Has it drawn, without waiting.
+  void submit(const Geometry& geometry);
+  /// The parts of the picture submitted first of those not fetched yet; flatten() lays them over each other.
+  std::shared_ptr<const Layers> fetch();
+  /// All steps in one, when nothing is submitted.
   Image draw(const State& state);
+
+  /// What draws (GlContext::description()).
+  std::string drawn_by() const;
 
  private:
   struct Tools;

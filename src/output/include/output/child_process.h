@@ -23,14 +23,19 @@ std::optional<std::filesystem::path> find_program(std::string_view name);
 struct ProcessEnd {
   int status = 0;          ///< exit status; 128 + signal when a signal ended it
   std::string last_lines;  ///< at most the last 2,000 characters
+  double processor_seconds = 0.0;
 };
 
-/// A program run without a shell, fed through its standard input; its standard output goes nowhere. Ended and
-/// waited for when the object goes away.
+/// Where a child's standard output goes.
+enum class ChildOutput { nowhere, ours };
+
+/// A program run without a shell, fed through its standard input. Ended and waited for when the object goes
+/// away.
 class ChildProcess {
  public:
   /// Starts the program. Throws RunFailure with the system's reason when it can't.
-  ChildProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments);
+  ChildProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+               ChildOutput output = ChildOutput::nowhere);
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
+#include "base/frame_rate.h"
 #include "base/image.h"
 #include "output/atomic_file.h"
 #include "output/child_process.h"
@@ -13,15 +15,20 @@ namespace taut {
 struct FilmSettings {
   std::filesystem::path file;  ///< its ending chooses the format: .mp4, .webm, .gif or .webp
   Size size;
-  double frames_per_second = 30.0;
+  FrameRate rate;
   bool transparent = false;  ///< frames are RGBA instead of RGB
+  int threads = 0;           ///< that the encoder may use; 0: as it likes
 };
+
+/// Whether a film of that name goes into a pipe or a device: "-" is standard output, "webm:-" says in which
+/// format.
+bool is_film_stream(const std::filesystem::path& name);
 
 /// Throws BadRequest when the format does not exist or can't hold films of that size or with transparency.
 void check_film_settings(const FilmSettings& settings);
 
 /// A film that grows frame by frame, encoded by ffmpeg while it grows. It gets its name only when finished;
-/// until then nothing of that name is touched.
+/// until then nothing of that name is touched. Into a pipe it goes as it grows.
 class Film {
  public:
   /// Starts the encoder. Throws BadRequest as check_film_settings() does, and RunFailure when ffmpeg is not
@@ -31,15 +38,16 @@ class Film {
   /// Adds the next frame, of the size set. Throws RunFailure with the encoder's last lines when it gave
   /// up, and Interrupted.
   void add(const Image& frame, const StopTest& stop = {});
-  /// Waits for the encoder and gives the film its name. Throws RunFailure with the encoder's last lines, and
-  /// Interrupted.
-  void finish(const StopTest& stop = {});
+  /// Waits for the encoder and gives the film its name. Returns the processor time (s) that the encoder took.
+  /// Throws RunFailure with the encoder's last lines, and Interrupted.
+  double finish(const StopTest& stop = {});
 
  private:
   [[noreturn]] void fail(const ProcessEnd& end) const;
 
-  PendingFile file_;
-  ChildProcess encoder_;
+  std::filesystem::path name_;
+  std::optional<PendingFile> file_;  // absent where it goes into a pipe
+  std::optional<ChildProcess> encoder_;
 };
 
 /// Throws RunFailure when the program that encodes films is not installed.

@@ -30,8 +30,9 @@ struct Manifest {
   std::string plan;      ///< why it was run with this method and these settings; empty where that was given
   Size size;
   double frames_per_second = 30.0;
-  std::string picture;  ///< how it is drawn beyond the scene: samples, shadows, transparency, back end
-  std::string build;    ///< which build of taut made it
+  std::string picture;   ///< how it is drawn beyond the scene: samples, shadows, transparency, back end
+  std::string drawn_by;  ///< which OpenGL drew; empty before anything was drawn
+  std::string build;     ///< which build of taut made it
   std::map<int, std::string> frames;  ///< frame number → hash of the state it shows
   std::vector<FilmRecord> films;
 };

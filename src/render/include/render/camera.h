@@ -12,6 +12,8 @@ struct CameraPose {
   Vec3 target{0.0, 1.0, 0.0};   ///< m
   double field_of_view = 38.0;  ///< degrees, vertical
   Vec3 up = Vec3::UnitY();      ///< unit length
+
+  bool operator==(const CameraPose&) const = default;
 };
 
 /// Which way is up in pictures of a model, of unit length: as the camera says, or against gravity.

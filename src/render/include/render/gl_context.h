@@ -4,14 +4,26 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace taut {
 
 /// A way to an OpenGL 3.3 core context without a display.
 enum class GlBackend { automatic, osmesa, egl };
 
-/// The back end called "auto", "osmesa" or "egl"; nothing for any other name.
-std::optional<GlBackend> gl_backend_named(std::string_view name);
+/// A back end, and which of EGL's devices (graphics cards, and Mesa's software as one).
+struct GlChoice {
+  GlBackend backend = GlBackend::automatic;
+  std::optional<int> device = std::nullopt;
+
+  GlChoice(GlBackend which = GlBackend::automatic, std::optional<int> number = {})
+      : backend(which), device(number) {}
+  /// As gl_choice_named() takes it.
+  std::string name() const;
+};
+
+/// The choice called "auto", "osmesa", "egl" or "egl:N"; nothing for any other name.
+std::optional<GlChoice> gl_choice_named(std::string_view name);
 
 /// An OpenGL context that draws into framebuffer objects only. It may move between threads, as long as it is
 /// current in one at a time.
@@ -35,11 +47,25 @@ class GlContext {
 
   /// The back end's name: "osmesa" or "egl".
   virtual std::string name() const = 0;
+
+  /// The back end and what it draws with, such as "osmesa: llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 3.3 …".
+  std::string description();
 };
 
-/// Makes a context. `automatic` takes the first back end that works, OSMesa before EGL. Throws RunFailure,
-/// with the reasons and the known back ends, when none does.
-std::unique_ptr<GlContext> make_gl_context(GlBackend backend = GlBackend::automatic);
+/// Makes a context. `automatic` takes the first back end that works, OSMesa before EGL; EGL without a number
+/// Mesa's surfaceless platform, or else the first device that works. Throws RunFailure, with the reasons and
+/// the known back ends, when none does.
+std::unique_ptr<GlContext> make_gl_context(const GlChoice& choice = {});
+
+/// One way to get a context on this machine.
+struct GlDevice {
+  std::string name;         ///< of the choice
+  std::string description;  ///< GlContext::description(); empty where none can be made
+  std::string problem;      ///< why not; empty where one can
+};
+
+/// All of them.
+std::vector<GlDevice> gl_devices();
 
 /// Keeps a context current in this thread for as long as this object lives.
 class CurrentContext {

@@ -1,0 +1,16 @@
+#version 330 core
+// A smooth opaque surface.
+#include "lighting.glsl"
+
+in vec3 point;
+in vec3 outward;
+flat in vec3 painted;
+
+out vec4 pixel;
+
+void main() {
+  vec3 normal = normalize(outward);
+  float reaching = light_reaching(place_in_map(point + normal * (1.5 * shadow.z)));
+  vec3 colour = lit(linear_from_display(painted), normal, normalize(-point), reaching, 0.12);
+  pixel = vec4(display_from_linear(colour), 1.0);
+}

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/image.h"
+#include "base/stop.h"
+
+namespace taut {
+
+/// A frame that is done.
+struct FinishedFrame {
+  int frame = 0;
+  std::string state_hash;
+  Image image;
+  std::vector<std::uint8_t> png;  ///< the image as a file; empty where no sink wants that
+};
+
+/// Where frames go.
+class FrameSink {
+ public:
+  FrameSink() = default;
+  FrameSink(const FrameSink&) = delete;
+  FrameSink& operator=(const FrameSink&) = delete;
+  virtual ~FrameSink() = default;
+
+  /// Whether it wants this frame, asked before it is drawn, and from another thread than take()'s.
+  virtual bool wants(int frame, const std::string& state_hash) const = 0;
+  virtual bool wants_png() const = 0;
+  /// Takes a frame it wants, in the order of time. Throws RunFailure, and Interrupted.
+  virtual void take(const FinishedFrame& frame, const StopTest& stop) = 0;
+};
+
+}  // namespace taut

@@ -1,0 +1,88 @@
+#include "backdrop.h"
+
+#include "geometry/picture_space.h"
+#include "geometry/view_matrices.h"
+#include "layers.h"
+
+namespace taut {
+namespace {
+
+// Fragments work out how lines and mist blend, so one sample a pixel does.
+constexpr int samples = 1;
+
+}  // namespace
+
+Backdrop::Backdrop(const Gl& gl, const ShaderLibrary& library, Size size)
+    : gl_(&gl),
+      library_(&library),
+      size_(size),
+      ground_depth_(gl, library, "ground.vert", "nothing.frag"),
+      sky_(gl, library, "sky.vert", "sky.frag"),
+      no_attributes_(make_vertex_array(gl)),
+      target_(gl, size, samples) {}
+
+const std::shared_ptr<const Image>& LitBackdrop::image() {
+  if (drawn_) {
+    const Image drawn = drawn_->fetch();
+    Image image = Image::blank(drawn.size, 3);
+    lay_over(image, 0, 0, drawn);
+    image_ = std::make_shared<const Image>(std::move(image));
+    drawn_.reset();
+  }
+  return image_;
+}
+
+std::shared_ptr<LitBackdrop> Backdrop::lit(const Geometry& geometry, const FrameBlock& block) {
+  if (kept_ && kept_->shows(geometry)) return kept_;
+  target_.begin({0, 0, size_.width, size_.height});
+  for (const GroundPatch& patch : geometry.grounds) draw(ground(patch.solid, false), patch);
+  draw_sky(geometry, block);
+  kept_ = std::make_shared<LitBackdrop>(geometry, target_.end());
+  return kept_;
+}
+
+Readback Backdrop::shaded(const Geometry& geometry, const Region& region) {
+  target_.begin(region);
+  for (const GroundPatch& patch : geometry.grounds) draw(ground(patch.solid, true), patch);
+  return target_.end();
+}
+
+void Backdrop::draw_depth(const Geometry& geometry) const {
+  gl_->colour_mask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  for (const GroundPatch& patch : geometry.grounds) draw(ground_depth_, patch);
+  gl_->colour_mask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+const Program& Backdrop::ground(bool solid, bool shadows) {
+  std::optional<Program>& program = grounds_.at((solid ? 1 : 0) + (shadows ? 2 : 0));
+  if (!program) {
+    Defines defines;
+    if (solid) defines.emplace_back("SOLID");
+    if (shadows) defines.emplace_back("SHADOWS");
+    program.emplace(*gl_, *library_, "ground.vert", "ground.frag", defines);
+  }
+  return *program;
+}
+
+void Backdrop::draw(const Program& program, const GroundPatch& patch) const {
+  program.use();
+  program.set("normal", patch.normal);
+  program.set("along", patch.along);
+  program.set("across", patch.across);
+  program.set("foot_and_height", glm::vec3(patch.foot, patch.height));
+  gl_->bind_vertex_array(no_attributes_.name());
+  gl_->draw_arrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+void Backdrop::draw_sky(const Geometry& geometry, const FrameBlock& block) const {
+  const glm::mat3 axes = glm::transpose(glm::mat3(view_matrix(geometry.pose, PictureSpace(geometry.pose))));
+  const float half_height = 0.5F * block.view.x * static_cast<float>(size_.height);
+  const float half_width = 0.5F * block.view.x * static_cast<float>(size_.width);
+  sky_.use();
+  sky_.set("right", axes[0] * half_width);
+  sky_.set("down", -axes[1] * half_height);
+  gl_->bind_vertex_array(no_attributes_.name());
+  gl_->draw_arrays(GL_TRIANGLES, 0, 3);
+}
+
+}  // namespace taut

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "geometry/frame_block.h"
+#include "geometry/region.h"
+#include "gl/program.h"
+#include "gl/targets.h"
+
+namespace taut {
+
+/// Sky and ground seen from one place, without shadows.
+class LitBackdrop {
+ public:
+  LitBackdrop(const Geometry& geometry, Readback drawn)
+      : pose_(geometry.pose), grounds_(geometry.grounds), drawn_(std::move(drawn)) {}
+
+  bool shows(const Geometry& geometry) const {
+    return pose_ == geometry.pose && grounds_ == geometry.grounds;
+  }
+  /// The picture (RGB). Waits for it.
+  const std::shared_ptr<const Image>& image();
+
+ private:
+  CameraPose pose_;
+  std::vector<GroundPatch> grounds_;
+  std::optional<Readback> drawn_;  // until it is asked for
+  std::shared_ptr<const Image> image_;
+};
+
+/// Draws sky and ground. All but the shadows is drawn once and kept for as long as the camera stands still.
+class Backdrop {
+ public:
+  Backdrop(const Gl& gl, const ShaderLibrary& library, Size size);
+
+  /// The whole backdrop without shadows. Where it isn't kept it is drawn with the block that is loaded.
+  std::shared_ptr<LitBackdrop> lit(const Geometry& geometry, const FrameBlock& block);
+
+  /// The grounds in a region of it, with shadows from the block and the map that are loaded: empty where
+  /// there is no ground.
+  Readback shaded(const Geometry& geometry, const Region& region);
+
+  /// Gives whatever is being drawn the depth of the grounds.
+  void draw_depth(const Geometry& geometry) const;
+
+ private:
+  const Program& ground(bool solid, bool shadows);
+  void draw(const Program& program, const GroundPatch& patch) const;
+  void draw_sky(const Geometry& geometry, const FrameBlock& block) const;
+
+  const Gl* gl_;
+  const ShaderLibrary* library_;
+  Size size_;
+  std::array<std::optional<Program>, 4> grounds_;
+  Program ground_depth_, sky_;
+  GlObject no_attributes_;
+  PictureTarget target_;
+  std::shared_ptr<LitBackdrop> kept_;
+};
+
+}  // namespace taut

@@ -1,0 +1,86 @@
+#include "geometry/geometry.h"
+
+#include <optional>
+
+#include "geometry/frame_block.h"
+#include "geometry/picture_space.h"
+#include "geometry/view_matrices.h"
+
+namespace taut {
+namespace {
+
+// Every fourth grid line is a strong one; see shaders/ground.frag.
+constexpr double lines_a_period = 4.0;
+
+Bounds bounds_of(const Geometry& geometry) {
+  Bounds bounds{glm::vec3(1e30F), glm::vec3(-1e30F)};
+  for_each_ball(geometry, [&](const glm::vec3& centre, float radius) {
+    bounds.low = glm::min(bounds.low, centre - radius);
+    bounds.high = glm::max(bounds.high, centre + radius);
+  });
+  return geometry.empty() ? Bounds{} : bounds;
+}
+
+}  // namespace
+
+struct GeometryMaker::Parts {
+  const Model& model;
+  Look look;
+  Radii radii;
+  Vec3 anchor;                                 // m
+  std::optional<State> start;                  // only where orientations are drawn
+  SharedPattern pattern;                       // only where a surface is
+  std::shared_ptr<const SpreadSheets> spread;  // as the pattern
+  SharedIndices triangles;                     // of the last surface
+
+  bool has_surface() const { return pattern != nullptr; }
+};
+
+GeometryMaker::GeometryMaker(const Model& model, const State& start, const Look& look)
+    : parts_(new Parts{model, look, radii(model, look), Vec3::Zero(), {}, {}, {}, {}}) {
+  if (start.position.size() > 0) parts_->anchor = start.position.at(0);
+  if (look.masses && look.mass_shape == MassShape::box) parts_->start = start;
+  if (look.surface && !model.triangles.empty()) {
+    parts_->pattern = pattern_positions(model, look.pattern);
+    parts_->spread = std::make_shared<const SpreadSheets>(spread_sheets(model, start));
+  }
+}
+
+GeometryMaker::~GeometryMaker() = default;
+
+std::shared_ptr<const Geometry> GeometryMaker::make(const State& state, const CameraPose& pose) {
+  const auto& [model, look, radii, anchor, start, pattern, spread, triangles] = *parts_;
+  const PictureSpace space(pose);
+  const State seen = space.seen(state);
+  const Quantity values = quantity(model, state, look.colour_by);
+
+  const auto geometry = std::make_shared<Geometry>();
+  geometry->pose = pose;
+  geometry->scale = colour_scale(look, model, state, values);
+  geometry->spheres = sphere_records(model, seen, look, radii, values, geometry->scale);
+  geometry->links = link_records(model, seen, look, radii, values, geometry->scale);
+  if (parts_->has_surface()) {
+    parts_->triangles = whole_triangles(model, state, parts_->triangles);
+    geometry->surface = surface_mesh(parts_->triangles, seen, values, geometry->scale);
+    geometry->surface.pattern = pattern;
+    geometry->surface.spread = spread;
+  }
+  if (look.colliders)
+    for (const Collider& collider : model.colliders)
+      add_shape(geometry->bodies, space.seen(collider.shape), look.collider_colour);
+  if (look.bones) add_bones(geometry->bodies, model, seen, look, values, geometry->scale);
+  if (start)
+    add_mass_boxes(geometry->bodies, model, space.seen(*start), seen, look, radii.mass, values,
+                   geometry->scale);
+  for (const Ground& ground : drawn_grounds(model, look, pose.up)) {
+    const GroundPatch patch = ground_patch(ground, space, lines_a_period * grid_spacing(pose));
+    // From below there is no ground in the way of the scene.
+    if (patch.height > 0.0F) geometry->grounds.push_back(patch);
+  }
+  geometry->bounds = bounds_of(*geometry);
+  const Vec3 place = space.place(anchor);
+  geometry->anchor = {place.x(), place.y(), place.z()};
+  return geometry;
+}
+
+}  // namespace taut

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "geometry/bodies.h"
+#include "geometry/colour_scale.h"
+#include "geometry/ground_patch.h"
+#include "geometry/lattice.h"
+#include "geometry/surface_mesh.h"
+#include "render/camera.h"
+#include "render/geometry.h"
+
+namespace taut {
+
+/// An axis-parallel box (m).
+struct Bounds {
+  glm::vec3 low{0.0F}, high{0.0F};
+};
+
+/// Everything is in picture space (picture_space.h).
+struct Geometry {
+  CameraPose pose;
+  std::vector<SphereRecord> spheres;
+  std::vector<LinkRecord> links;
+  SurfaceMesh surface;  ///< without vertices where none is drawn
+  Bodies bodies;
+  std::vector<GroundPatch> grounds;  ///< those that are seen from above
+  Bounds bounds;                     ///< of all but the grounds; the eye where there is nothing
+  ColourScale scale;                 ///< of its colours, where they mean anything
+  glm::dvec3 anchor{0.0};            ///< a place that no camera moves, for texels of shadows to keep to
+
+  bool empty() const {
+    return spheres.empty() && links.empty() && surface.vertices.empty() && bodies.rods.empty() &&
+           bodies.boxes.empty();
+  }
+};
+
+/// Calls visit(centre, radius) with balls (m) that hold all that is drawn but the grounds, each within its
+/// convex hull.
+template <typename Visit>
+void for_each_ball(const Geometry& geometry, const Visit& visit) {
+  for (const SurfaceVertex& vertex : geometry.surface.vertices) visit(vertex.position, 0.0F);
+  for (const SphereRecord& sphere : geometry.spheres) visit(sphere.centre, sphere.radius);
+  const auto visit_ends = [&](const auto& record) {
+    visit(record.start, record.radius);
+    visit(record.end, record.radius);
+  };
+  for (const LinkRecord& link : geometry.links) visit_ends(link);
+  for (const RodRecord& rod : geometry.bodies.rods) visit_ends(rod);
+  for (const BoxRecord& box : geometry.bodies.boxes)
+    for (int corner = 0; corner < 8; ++corner)
+      visit(box.centre + ((corner & 1) != 0 ? box.edges[0] : -box.edges[0]) +
+                ((corner & 2) != 0 ? box.edges[1] : -box.edges[1]) +
+                ((corner & 4) != 0 ? box.edges[2] : -box.edges[2]),
+            0.0F);
+}
+
+}  // namespace taut

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "base/image.h"
+#include "geometry/region.h"
+#include "gl/gl_objects.h"
+
+namespace taut {
+
+/// How many of the wanted samples a pixel a context draws at once: all of them, or half of them, and half
+/// again. Throws BadRequest where not even 4 are too many to ask for.
+int samples_at_once(const Gl& gl, int wanted);
+
+/// What the alpha of fragments says. cover: 1 wherever they are. share: of a pixel's samples, how many are to
+/// be drawn (GL_SAMPLE_ALPHA_TO_COVERAGE); those are covered wholly then.
+enum class Alpha { cover, share };
+
+/// A part of a picture that is drawn or still being drawn.
+class Readback {
+ public:
+  /// Of a framebuffer that is being drawn into.
+  Readback(const Gl& gl, const GlObject& framebuffer, Size size, Alpha alpha);
+
+  /// The part as it was drawn, samples averaged: RGBA, colour multiplied by alpha. Waits for it.
+  Image fetch() const;
+
+ private:
+  const Gl* gl_;
+  Size size_;
+  Alpha alpha_;
+  GlObject colour_, framebuffer_;
+};
+
+/// A part of a picture being drawn: colour and depth, one or several samples a pixel.
+class PictureTarget {
+ public:
+  /// Throws BadRequest for a size that OpenGL can't draw.
+  PictureTarget(const Gl& gl, Size picture, int samples);
+
+  /// Directs drawing into this region of the picture, and empties it. Throws RunFailure when there is no
+  /// memory for it.
+  void begin(const Region& region, Alpha alpha = Alpha::cover);
+  /// Ends that.
+  Readback end();
+  int samples() const { return samples_; }
+
+ private:
+  void make_room(Size size);
+
+  const Gl* gl_;
+  Size picture_, room_{0, 0};
+  int samples_;
+  Region region_;
+  Alpha alpha_ = Alpha::cover;
+  GlObject colour_, depth_, framebuffer_;
+};
+
+/// A texture of shares of the light that reach places, smooth between texels.
+class LightMap {
+ public:
+  explicit LightMap(const Gl& gl);
+
+  /// Directs drawing into so many texels of it, and fills them with light. It grows where they are more than
+  /// it has.
+  void begin(Size size);
+  /// Lets shaders read it as light_map.
+  void bind_for_reading() const;
+  /// From texels to coordinates.
+  glm::vec2 texel() const;
+
+ private:
+  const Gl* gl_;
+  Size room_{0, 0};
+  GlObject texture_, framebuffer_;
+};
+
+/// A square depth texture that compares on reading.
+class ShadowMap {
+ public:
+  /// Throws BadRequest for a size that OpenGL can't draw.
+  ShadowMap(const Gl& gl, int size);
+
+  /// Directs drawing here.
+  void bind() const;
+  /// Lets shaders read it as shadow_map.
+  void bind_for_reading() const;
+  int size() const { return size_; }
+
+ private:
+  const Gl* gl_;
+  int size_;
+  GlObject texture_, framebuffer_;
+};
+
+}  // namespace taut

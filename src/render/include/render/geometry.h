@@ -1,0 +1,33 @@
+#pragma once
+
+#include <memory>
+
+#include "model/model.h"
+#include "model/state.h"
+#include "render/camera.h"
+#include "view/view.h"
+
+namespace taut {
+
+/// What a picture shows of one state, ready to be drawn: see geometry/geometry.h.
+struct Geometry;
+
+/// Works out what pictures of one model show. Knows nothing of OpenGL, and may run in another thread than
+/// what draws.
+class GeometryMaker {
+ public:
+  /// Refers to the model from then on.
+  GeometryMaker(const Model& model, const State& start, const Look& look);
+  ~GeometryMaker();
+  GeometryMaker(const GeometryMaker&) = delete;
+  GeometryMaker& operator=(const GeometryMaker&) = delete;
+
+  /// What is seen of a state from a place.
+  std::shared_ptr<const Geometry> make(const State& state, const CameraPose& pose);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace taut

@@ -1,0 +1,102 @@
+// What a frame takes from state to file, stage by stage, in processor time of all threads (Mesa's too): the
+// showcases at 1280×720 standard, and ten bodies. Run it alone on the machine:
+//
+//   cmake --preset tested && cmake --build --preset tested --target frame_bench &&
+//   build/tested/tests/bench/frame_bench
+//
+// `empty picture` is what clearing, sky and the mean of four samples cost over the whole picture: the least
+// that drawing everything anew for each frame could take. `taut render … -v` has the same of a whole run, the
+// film's encoder included.
+#include <benchmark/benchmark.h>
+
+#include <filesystem>
+#include <string>
+
+#include "frames/painter.h"
+#include "frames/simulation.h"
+#include "output/png.h"
+#include "scene/scene.h"
+
+namespace {
+
+struct Subject {
+  const char* scene;
+  double time;  // s, at which there is much to see
+};
+
+taut::Scene scene_of(const Subject& subject) {
+  return taut::load_scene(std::filesystem::path(TAUT_SCENE_FOLDER) / (std::string(subject.scene) + ".toml"));
+}
+
+taut::PictureSettings standard() {
+  taut::PictureSettings settings;
+  settings.render = taut::render_settings_for(taut::Quality::standard);
+  return settings;
+}
+
+void shape(benchmark::State& run, Subject subject) {
+  const taut::Scene scene = scene_of(subject);
+  const taut::State state = *taut::Simulation(scene).at(subject.time);
+  taut::Painter painter(scene, standard());
+  for (auto round : run) benchmark::DoNotOptimize(painter.shape(state));
+}
+
+void draw(benchmark::State& run, Subject subject) {
+  const taut::Scene scene = scene_of(subject);
+  taut::Painter painter(scene, standard());
+  const auto geometry = painter.shape(*taut::Simulation(scene).at(subject.time));
+  for (auto round : run) {
+    painter.submit(*geometry);
+    benchmark::DoNotOptimize(painter.fetch());
+  }
+}
+
+void finish(benchmark::State& run, Subject subject) {
+  const taut::Scene scene = scene_of(subject);
+  taut::Painter painter(scene, standard());
+  painter.submit(*painter.shape(*taut::Simulation(scene).at(subject.time)));
+  const auto layers = painter.fetch();
+  for (auto round : run) benchmark::DoNotOptimize(taut::flatten(*layers));
+}
+
+void compress(benchmark::State& run, Subject subject) {
+  const taut::Scene scene = scene_of(subject);
+  const taut::Image image = taut::Painter(scene, standard()).draw(*taut::Simulation(scene).at(subject.time));
+  for (auto round : run) benchmark::DoNotOptimize(taut::encode_png(image));
+}
+
+// Nothing but the sky, seen from another place each time.
+void empty_picture(benchmark::State& run) {
+  taut::Scene scene = scene_of({"pendulum", 0.0});
+  scene.look = {};
+  scene.look.masses = scene.look.links = scene.look.ground = scene.look.shadows = false;
+  scene.look.masses = true;
+  scene.look.mass_radius = 1e-3;
+  taut::Painter painter(scene, standard());
+  for (auto round : run) {
+    scene.camera.eye.x() += 1e-3;
+    painter.submit(*painter.shape(scene.start));
+    benchmark::DoNotOptimize(painter.fetch());
+  }
+}
+
+void add(const char* stage, void (*what)(benchmark::State&, Subject)) {
+  for (const Subject& subject :
+       {Subject{"curtain", 5.0}, {"breaking-cloth", 4.0}, {"hanging-chain", 2.0}, {"ragdoll-pile", 1.4}})
+    benchmark::RegisterBenchmark((std::string(stage) + "/" + subject.scene).c_str(), what, subject)
+        ->MeasureProcessCPUTime()
+        ->Unit(benchmark::kMillisecond);
+}
+
+const bool added = [] {
+  add("shape", shape);
+  add("draw", draw);
+  add("flatten", finish);
+  add("compress", compress);
+  benchmark::RegisterBenchmark("draw/empty picture", empty_picture)
+      ->MeasureProcessCPUTime()
+      ->Unit(benchmark::kMillisecond);
+  return true;
+}();
+
+}  // namespace

@@ -1,0 +1,203 @@
+// What pictures show, worked out without OpenGL; and that what is left out of drawing would not have shown.
+
+#include "geometry/geometry.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/frame_block.h"
+#include "geometry/palette.h"
+#include "geometry/region.h"
+#include "small_scenes.h"
+
+namespace taut {
+namespace {
+
+using testing::all_kinds;
+using testing::bare_look;
+using testing::row_of_masses;
+using testing::size;
+using testing::straight_on;
+using testing::upright_sheet;
+
+std::shared_ptr<const Geometry> geometry_of(const Built& scene, const Look& look, const CameraPose& pose) {
+  return GeometryMaker(scene.model, scene.start, look).make(scene.start, pose);
+}
+
+Look all_drawn() {
+  Look look;
+  look.surface = true;
+  return look;
+}
+
+// From afar, close by, from above, past the edge of the picture, and from inside the scene.
+std::vector<CameraPose> views() {
+  return {{{1.5, 1.6, 4.2}, {0.0, 0.8, 0.0}, 38.0},
+          {{0.4, 0.9, 1.7}, {0.3, 0.8, 0.0}, 70.0},
+          {{0.1, 5.0, 0.2}, {0.0, 0.0, 0.0}, 38.0},
+          {{1.5, 1.6, 4.2}, {1.9, 0.8, 0.0}, 20.0},
+          {{0.5, 1.2, 0.1}, {-1.0, 1.0, 0.0}, 90.0}};
+}
+
+// Visits the outermost pixels of a region, but for those at the picture's own edge.
+template <typename Visit>
+void for_each_at_its_edge(const Region& region, const Visit& visit) {
+  const int right = region.left + region.width - 1, bottom = region.top + region.height - 1;
+  for (int y = region.top; y <= bottom; ++y)
+    for (int x = region.left; x <= right; ++x) {
+      const bool at_side = (x == region.left && x > 0) || (x == right && x < size.width - 1);
+      const bool at_end = (y == region.top && y > 0) || (y == bottom && y < size.height - 1);
+      if (at_side || at_end) visit(x, y);
+    }
+}
+
+TEST(DrawnRegion, NothingReachesItsEdge) {
+  const Built scene = all_kinds();
+  for (const CameraPose& pose : views()) {
+    const Region region = drawn_region(*geometry_of(scene, all_drawn(), pose), size);
+    const Image image =
+        testing::draw_once(scene.model, scene.start, all_drawn(), testing::cut_out(size), pose);
+    int covered = 0;
+    for_each_at_its_edge(region,
+                         [&](int x, int y) { covered += testing::channel_at(image, x, y, 3) > 0 ? 1 : 0; });
+    EXPECT_EQ(covered, 0) << "seen from " << pose.eye.transpose();
+  }
+}
+
+TEST(DrawnRegion, IsNoLargerThanItNeedsToBe) {
+  const Built scene = row_of_masses({{0, 0, 0}});
+  Look look = bare_look();
+  look.masses = true;
+  look.mass_radius = 0.5;
+  const Region region = drawn_region(*geometry_of(scene, look, straight_on()), size);
+  const double radius = 0.5 / 5.0 / (2.0 * std::tan(19.0 * 3.14159265 / 180.0)) * size.height;  // pixels
+  EXPECT_GE(region.width, 2.0 * radius);
+  EXPECT_LE(region.width, 2.6 * radius + 6.0);
+  EXPECT_TRUE(drawn_region(*geometry_of(scene, bare_look(), straight_on()), size).empty());
+}
+
+TEST(ShadowRegion, NoShadowReachesItsEdge) {
+  Built scene = all_kinds();
+  scene.model.colliders.push_back(Collider{HalfSpace{}});
+  Look lit = all_drawn();
+  lit.shadows = false;
+  for (const CameraPose& pose : views()) {
+    const auto geometry = geometry_of(scene, all_drawn(), pose);
+    if (geometry->grounds.empty()) continue;
+    const RenderSettings settings{.size = size, .samples = 1, .shadow_map_size = 512};
+    const float blur = 6.0F * light_block(*geometry, settings.shadow_map_size).shadow.z;
+    const Region region = shadow_region(*geometry, geometry->grounds.front(), size, blur);
+    // Of the ground alone: everything else is thrown away again.
+    const Region drawn = drawn_region(*geometry, size);
+    const Image shaded = testing::draw_once(scene.model, scene.start, all_drawn(), settings, pose);
+    const Image unshaded = testing::draw_once(scene.model, scene.start, lit, settings, pose);
+    int darker = 0;
+    for_each_at_its_edge(region, [&](int x, int y) {
+      const bool on_ground =
+          x < drawn.left || x >= drawn.left + drawn.width || y < drawn.top || y >= drawn.top + drawn.height;
+      if (on_ground && testing::channel_at(shaded, x, y, 1) + 2 < testing::channel_at(unshaded, x, y, 1))
+        ++darker;
+    });
+    EXPECT_EQ(darker, 0) << "seen from " << pose.eye.transpose();
+  }
+}
+
+TEST(Grounds, HideOnlyWhatReachesBelowThem) {
+  Built scene = row_of_masses({{0, 0.5, 0}});
+  scene.model.colliders = {Collider{HalfSpace{}}};
+  Look look = bare_look();
+  look.masses = look.ground = true;
+  const CameraPose pose{{0.0, 1.5, 5.0}, {0.0, 0.4, 0.0}, 38.0};
+  for (const auto& [radius, hides] : {std::pair{0.3, false}, std::pair{0.7, true}}) {
+    look.mass_radius = radius;
+    const auto geometry = geometry_of(scene, look, pose);
+    ASSERT_EQ(geometry->grounds.size(), 1U);
+    EXPECT_EQ(may_hide(geometry->grounds.front(), *geometry), hides) << radius;
+  }
+  // And it does: half of a ball that is half in the ground is seen.
+  scene.start.position.set(0, {0.0, 0.0, 0.0});
+  const Image image = testing::draw_once(scene.model, scene.start, look, {.size = size}, pose);
+  const auto redness_at = [&](const Vec3& place) {
+    const Vec3 at = picture_position(pose, size.width, size.height, place);
+    const int x = static_cast<int>(at.x()), y = static_cast<int>(at.y());
+    return testing::channel_at(image, x, y, 0) - testing::channel_at(image, x, y, 1);
+  };
+  EXPECT_GT(redness_at({0.0, 0.4, 0.5}), 60);
+  EXPECT_LT(redness_at({0.0, -0.4, 0.5}), 20) << "below the ground";
+}
+
+TEST(SurfaceMesh, SharesWhatHasNotChanged) {
+  Built scene = upright_sheet(5, 5);
+  GeometryMaker maker(scene.model, scene.start, all_drawn());
+  const auto first = maker.make(scene.start, straight_on()), second = maker.make(scene.start, straight_on());
+  EXPECT_EQ(first->surface.indices, second->surface.indices);
+  EXPECT_EQ(first->surface.pattern, second->surface.pattern);
+  scene.start.broken_at[8] = 0.0;
+  const auto torn = maker.make(scene.start, straight_on());
+  EXPECT_LT(torn->surface.indices->size(), first->surface.indices->size());
+  EXPECT_EQ(torn->surface.pattern, first->surface.pattern);
+}
+
+TEST(SpreadSheets, HaveAPlaceForEachMassOfEachSheet) {
+  Description description;
+  for (int i = 0; i < 2; ++i) {
+    SheetSpec sheet;
+    sheet.name = "cloth" + std::to_string(i);
+    sheet.rows = 3 + i;
+    sheet.columns = 4 + 2 * i;
+    sheet.from = {0.0, 1.0, static_cast<double>(i)};
+    sheet.to = {3.0, 1.0, static_cast<double>(i)};
+    sheet.down = {0.0, -1.0, 0.0};
+    description.sheets.push_back(sheet);
+  }
+  const Built scene = build(description);
+  const SpreadSheets spread = spread_sheets(scene.model, scene.start);
+  EXPECT_EQ(spread.masses.width, 6);
+  EXPECT_EQ(spread.masses.height, 7);
+  EXPECT_FLOAT_EQ(spread.cell_size.x, 1.0F);
+  EXPECT_FLOAT_EQ(spread.cell_size.y, 0.5F);
+  std::vector<std::pair<float, float>> places;
+  for (const glm::vec2& at : spread.positions) places.emplace_back(at.x, at.y);
+  std::ranges::sort(places);
+  EXPECT_EQ(std::ranges::adjacent_find(places), places.end()) << "two in one place";
+}
+
+TEST(LightPlaces, AreLiftedTowardsTheSideThatIsLit) {
+  const Built scene = upright_sheet(3, 3);
+  GeometryMaker maker(scene.model, scene.start, all_drawn());
+  const auto geometry = maker.make(scene.start, straight_on());
+  const SurfaceMesh& mesh = geometry->surface;
+  const glm::vec3 to_light = direction_to_light();
+  const float texel = 0.01F;
+  for (const glm::vec3& light : {to_light, -to_light}) {
+    const std::vector<glm::vec4> places = light_places(mesh, glm::mat4(1.0F), light, texel);
+    ASSERT_EQ(places.size(), 9U);
+    for (std::size_t mass = 0; mass < 9; ++mass) {
+      const glm::vec2& at = mesh.spread->positions[mass];
+      const glm::vec3 lifted =
+          glm::vec3(places[static_cast<std::size_t>(3.0F * at.y + at.x)]) - mesh.vertices[mass].position;
+      EXPECT_GT(glm::dot(lifted, light), texel) << mass;
+      EXPECT_LT(glm::length(lifted), 2.6F * texel) << mass;
+    }
+  }
+}
+
+TEST(Bodies, BonesThatMeetShareTheirJoint) {
+  Description description;
+  RagdollSpec doll;
+  doll.name = "doll";
+  description.ragdolls = {doll};
+  const Built scene = build(description);
+  const auto geometry = geometry_of(scene, bare_look(), straight_on());
+  const std::vector<RodRecord>& rods = geometry->bodies.rods;
+  for (std::size_t i = 0; i < rods.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      EXPECT_FALSE(rods[i].start == rods[j].start && rods[i].end == rods[j].end &&
+                   rods[i].radius == rods[j].radius && rods[i].colour == rods[j].colour)
+          << i << " and " << j << " are the same";
+}
+
+}  // namespace
+}  // namespace taut
