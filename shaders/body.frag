@@ -10,7 +10,7 @@ out vec4 pixel;
 
 void main() {
   vec3 normal = normalize(outward);
-  float reaching = light_reaching(place_in_map(point + normal * (1.5 * shadow.z)));
+  float reaching = light_reaching(place_in_map(point + normal * (2.2 * shadow.z)));
   vec3 colour = lit(linear_from_display(painted), normal, normalize(-point), reaching, 0.12);
   pixel = vec4(display_from_linear(colour), 1.0);
 }

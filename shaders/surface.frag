@@ -2,7 +2,8 @@
 // Cloth: two sides, a pattern, folds that darken in their hollows, a little light through the weave.
 #include "lighting.glsl"
 
-// FRONT_COLOUR, BACK_COLOUR: as displayed. PATTERN: 1 checker, 2 woven; without it the cloth is plain. PAINTED: masses are coloured by what they do.
+// FRONT_COLOUR, BACK_COLOUR: as displayed. PATTERN: 1 checker, 2 woven; without it the cloth is plain. PAINTED:
+// masses are coloured by what they do.
 
 in vec3 to_eye;
 in vec3 front_normal;

@@ -6,6 +6,8 @@
 #   TAUT_SKIP_SANITIZERS=1   without the tests under the sanitizers
 #   TAUT_THREAD_SANITIZER=1  also the tests of all that has threads (frames, films, charts, maps) under the thread
 #                            sanitizer: a build of its own, too long for every day
+#   TAUT_WITHOUT_OSMESA=1    also the tests of pictures in a build without OSMesa, as there will be where Mesa no
+#                            longer has it
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -52,3 +54,10 @@ fi
 
 say "testing"
 ctest --preset tested --parallel 2
+
+if [ -n "${TAUT_WITHOUT_OSMESA:-}" ]; then
+  say "building and testing without OSMesa"
+  cmake --preset tested -B build/without-osmesa -DTAUT_WITH_OSMESA=OFF --log-level=WARNING >/dev/null
+  cmake --build build/without-osmesa --target render_tests -- --quiet
+  build/without-osmesa/tests/render_tests --gtest_brief=1
+fi

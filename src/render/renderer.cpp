@@ -58,7 +58,8 @@ std::vector<Readback> one(Readback readback) {
   return readbacks;
 }
 
-// Where in a pixel each pass is drawn that adds to its samples: a fourth of a pixel's fourth off the others.
+// By how much of a pixel each pass over its samples is shifted: two so that each has its samples between the
+// other's.
 std::span<const glm::vec2> shifts_of(int passes) {
   static constexpr std::array<glm::vec2, 2> two{glm::vec2(-0.0625F, -0.125F), glm::vec2(0.0625F, 0.125F)};
   static constexpr std::array<glm::vec2, 1> one{glm::vec2(0.0F)};
@@ -68,8 +69,7 @@ std::span<const glm::vec2> shifts_of(int passes) {
 }  // namespace
 
 // A frame that OpenGL has been told to draw.
-class Renderer::Submitted {
- public:
+struct Renderer::Submitted {
   std::shared_ptr<LitBackdrop> backdrop;  // absent where the picture is transparent
   struct Part {
     Region region;

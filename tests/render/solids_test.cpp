@@ -83,6 +83,32 @@ TEST(Bones, StandInForTheMassesAndLinksOfARagdoll) {
   EXPECT_EQ(draw_once(scene.model, scene.start, masses, cut_out(size), straight_on()).pixels, image.pixels);
 }
 
+// A face that is lit is lit evenly, however slant the light falls on it: no stripes of its own shadow.
+TEST(Solids, FacesThrowNoShadowOnThemselves) {
+  for (double turn = -50.0; turn <= 140.0; turn += 10.0) {
+    Description description;
+    BoxSpec box;
+    box.size = {3.0, 1.4, 0.6};
+    box.turn = {0.0, turn, 0.0};
+    description.boxes = {box};
+    const Built scene = scene_with(description);
+    Look look = bare_look();
+    look.shadows = true;
+    RenderSettings settings = cut_out(size);
+    settings.shadow_map_size = 128;
+    const double angle = turn * std::numbers::pi / 180.0;
+    const CameraPose facing{{5.0 * std::sin(angle), 0.0, 5.0 * std::cos(angle)}, {0.0, 0.0, 0.0}, 38.0};
+    const Image image = draw_once(scene.model, scene.start, look, settings, facing);
+    look.shadows = false;
+    const Image unshaded = draw_once(scene.model, scene.start, look, settings, facing);
+    int darker = 0;
+    for (int y = size.height / 2 - 25; y < size.height / 2 + 25; ++y)
+      for (int x = size.width / 2 - 60; x < size.width / 2 + 60; ++x)
+        darker = std::max(darker, channel_at(unshaded, x, y, 1) - channel_at(image, x, y, 1));
+    EXPECT_LE(darker, 1) << "turned by " << turn;
+  }
+}
+
 TEST(Bones, JointsAtAStopShineAndOthersDoNot) {
   Description description;
   RagdollSpec doll;

@@ -8,8 +8,8 @@
 
 namespace taut {
 
-/// How many of the wanted samples a pixel a context draws at once: all of them, or half of them, and half
-/// again. Throws BadRequest where not even 4 are too many to ask for.
+/// How many of the wanted samples a pixel a context draws at once: all of them, or 4 of 8. Throws BadRequest
+/// where it can't draw so many.
 int samples_at_once(const Gl& gl, int wanted);
 
 /// What the alpha of fragments says. cover: 1 wherever they are. share: of a pixel's samples, how many are to

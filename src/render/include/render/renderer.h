@@ -52,7 +52,7 @@ class Renderer {
   std::shared_ptr<const Layers> draw(const Geometry& geometry);
 
  private:
-  class Submitted;
+  struct Submitted;
   class Drawing;
   GlContext& context_;
   std::unique_ptr<Drawing> drawing_;
