@@ -306,11 +306,12 @@ TEST(Renderer, DrawsTheSameWhateverItDrewBefore) {
   Built scene = testing::all_kinds();
   Look look;
   look.surface = true;
-  const std::array<CameraPose, 3> poses{CameraPose{{1.5, 1.6, 4.2}, {0.0, 0.8, 0.0}, 38.0},
-                                        CameraPose{{-2.0, 0.6, 3.0}, {0.0, 0.8, 0.0}, 50.0},
-                                        CameraPose{{0.3, 4.0, 1.0}, {0.0, 0.0, 0.0}, 38.0}};
+  const std::array<CameraPose, 5> poses{
+      CameraPose{{1.5, 1.6, 4.2}, {0.0, 0.8, 0.0}, 38.0}, CameraPose{{1.5, 1.6, 4.2}, {0.3, 0.7, 0.0}, 38.0},
+      CameraPose{{1.5, 1.6, 4.2}, {0.3, 0.7, 0.0}, 45.0}, CameraPose{{-2.0, 0.6, 3.0}, {0.0, 0.8, 0.0}, 50.0},
+      CameraPose{{0.3, 4.0, 1.0}, {0.0, 0.0, 0.0}, 38.0}};
   testing::StatePainter one(scene, look, {.size = size});
-  for (const std::size_t i : {0U, 1U, 1U, 2U, 0U}) {
+  for (const std::size_t i : {0U, 1U, 2U, 2U, 3U, 4U, 0U}) {
     testing::StatePainter fresh(scene, look, {.size = size});
     EXPECT_EQ(one.draw(scene.start, poses.at(i)).pixels, fresh.draw(scene.start, poses.at(i)).pixels) << i;
   }
