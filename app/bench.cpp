@@ -16,6 +16,7 @@
 #include "host/progress.h"
 #include "interrupted.h"
 #include "methods/simd.h"
+#include "stages.h"
 #include "study/frame_speed.h"
 #include "study/speed.h"
 #include "values.h"
@@ -40,14 +41,10 @@ struct Measured {
 
 void print_frames(const std::vector<FrameSpeed>& speeds) {
   for (const FrameSpeed& speed : speeds) {
-    const double frames = static_cast<double>(speed.frames);
     fmt::print("\n{}: {} frames and a film at {}x{}: {:.1f} frames/s, the first file after {:.2f} s\n",
-               speed.scene, speed.frames, speed.size.width, speed.size.height, frames / speed.seconds,
-               speed.first_file);
-    fmt::print("  ms of a processor a frame:");
-    for (const StageTime& stage : speed.stages)
-      fmt::print(" {} {:.1f}", stage.name, 1000.0 * stage.seconds / frames);
-    fmt::print("\n");
+               speed.scene, speed.frames, speed.size.width, speed.size.height,
+               static_cast<double>(speed.frames) / speed.seconds, speed.first_file);
+    fmt::print("  {}\n", stages_text(speed.stages, speed.frames));
   }
 }
 
@@ -77,14 +74,13 @@ void print_json(const Measured& measured) {
                               {"seconds_per_step", speed.step},
                               {"seconds_per_link", speed.per_link}});
   for (const FrameSpeed& speed : measured.frames) {
-    Json& scene = json["frames"].emplace_back(Json{{"scene", speed.scene},
-                                                   {"width", speed.size.width},
-                                                   {"height", speed.size.height},
-                                                   {"frames", speed.frames},
-                                                   {"seconds", speed.seconds},
-                                                   {"seconds_to_first_file", speed.first_file}});
-    for (const StageTime& stage : speed.stages)
-      scene["stage_seconds"][std::string(stage.name)] = stage.seconds;
+    json["frames"].push_back({{"scene", speed.scene},
+                              {"width", speed.size.width},
+                              {"height", speed.size.height},
+                              {"frames", speed.frames},
+                              {"seconds", speed.seconds},
+                              {"seconds_to_first_file", speed.first_file},
+                              {"stage_seconds", stages_to_json(speed.stages)}});
   }
   fmt::print("{}\n", json.dump(2));
 }

@@ -10,7 +10,9 @@
 #include "host/machine.h"
 #include "interrupted.h"
 #include "measures_json.h"
+#include "output/film.h"
 #include "planning.h"
+#include "stages.h"
 #include "values.h"
 
 namespace taut {
@@ -49,9 +51,7 @@ void print_json(std::span<const Scene> scenes, const RenderRequest& request, con
   }
   if (!outcome.stages.empty()) {
     json["drawn_by"] = outcome.drawn_by;
-    // Of processors; what a frame took is this by the number of frames that were drawn.
-    for (const StageTime& stage : outcome.stages)
-      json["stage_seconds"][std::string(stage.name)] = stage.seconds;
+    json["stage_seconds"] = stages_to_json(outcome.stages);
   }
   if (plan) json["plan"] = plan_to_json(*plan);
   if (certificate) json["certificate"] = certificate_to_json(*certificate);
@@ -61,19 +61,11 @@ void print_json(std::span<const Scene> scenes, const RenderRequest& request, con
   fmt::print("{}\n", json.dump(2));
 }
 
-// Where the processors' time went, a frame.
 void print_stages(const RenderOutcome& outcome) {
-  const std::size_t drawn = outcome.drawn;
-  if (drawn == 0) return;
-  fmt::print(stderr, "drawn by {}\n{:.1f} frames/s; milliseconds of a processor a frame:", outcome.drawn_by,
-             static_cast<double>(drawn) / outcome.seconds);
-  double sum = 0.0;
-  for (const StageTime& stage : outcome.stages) {
-    const double milliseconds = 1000.0 * stage.seconds / static_cast<double>(drawn);
-    sum += milliseconds;
-    if (milliseconds >= 0.05) fmt::print(stderr, " {} {:.1f}", stage.name, milliseconds);
-  }
-  fmt::print(stderr, ", all {:.1f}\n", sum);
+  if (outcome.drawn == 0) return;
+  fmt::print(stderr, "drawn by {}\n{:.1f} frames/s; {}\n", outcome.drawn_by,
+             static_cast<double>(outcome.drawn) / outcome.seconds,
+             stages_text(outcome.stages, outcome.drawn));
 }
 
 void print_summary(std::span<const Scene> scenes, const RenderRequest& request,
@@ -124,7 +116,7 @@ RenderRequest OutputFlags::request(const std::string& usual_folder, std::optiona
   if (!selection.empty()) request.selection = selection;
   request.rate = parse_frame_rate("--fps", rate);
   request.picture = picture.settings(usual);
-  if (json && (film == "-" || film.ends_with(":-")))
+  if (json && goes_to_standard_output(film))
     throw BadRequest("--film and --json can't both write to standard output");
   request.overwrite = overwrite;
   request.cores = static_cast<int>(this_machine().threads);

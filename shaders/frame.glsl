@@ -10,8 +10,8 @@ layout(std140) uniform Frame {
   vec4 view;              // x: height of a pixel one metre away (m)
 };
 
-// What is the same for all pictures of a look stands in the shaders as numbers: read from memory for every
-// fragment, it made shading a half dearer.
+// What is the same for all pictures of a look stands in the shaders as numbers: Mesa's software drivers would
+// read it from memory for every fragment.
 const vec3 to_light = TO_LIGHT;            // unit vector
 const vec3 light = LIGHT;                  // linear
 const vec3 ambient_below = AMBIENT_BELOW;  // linear

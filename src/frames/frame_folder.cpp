@@ -90,11 +90,6 @@ void FrameFolder::remove_frames() const {
   }
 }
 
-bool FrameFolder::has(int frame, const std::string& state_hash) const {
-  const auto found = manifest_.frames.find(frame);
-  return found != manifest_.frames.end() && found->second == state_hash;
-}
-
 fs::path FrameFolder::frame_file(int frame) const {
   return folder_ / fmt::format("frame-{:06}.png", frame);
 }

@@ -35,8 +35,8 @@ void add_words(std::vector<std::string>& words, std::string_view text) {
 }
 
 // `to` is what ffmpeg writes into: a file, or "pipe:1".
-std::vector<std::string> encoder_arguments(const FilmSettings& settings, const std::string& to) {
-  const FilmTarget target = film_target(settings.file);
+std::vector<std::string> encoder_arguments(const FilmSettings& settings, const FilmTarget& target,
+                                           const std::string& to) {
   const FilmFormat& format = *target.format;
   std::vector<std::string> arguments{"-hide_banner", "-nostats", "-loglevel", "error", "-y"};
   const auto add = [&](auto... words) { (arguments.emplace_back(words), ...); };
@@ -87,15 +87,19 @@ bool is_film_stream(const std::filesystem::path& name) {
   return film_target(name).stream;
 }
 
+bool goes_to_standard_output(const std::filesystem::path& name) {
+  return film_target(name).is_standard_output();
+}
+
 Film::Film(const FilmSettings& settings) : name_(checked(settings).file) {
   const FilmTarget target = film_target(settings.file);
   if (!target.stream) file_.emplace(target.file);
-  const bool to_standard_output = target.file == "-";
   const std::string to =
-      to_standard_output ? "pipe:1"
-                         : fmt::format("file:{}", (file_ ? file_->temporary_name() : target.file).string());
-  encoder_.emplace(encoder_program(), encoder_arguments(settings, to),
-                   to_standard_output ? ChildOutput::ours : ChildOutput::nowhere);
+      target.is_standard_output()
+          ? "pipe:1"
+          : fmt::format("file:{}", (file_ ? file_->temporary_name() : target.file).string());
+  encoder_.emplace(encoder_program(), encoder_arguments(settings, target, to),
+                   target.is_standard_output() ? ChildOutput::ours : ChildOutput::nowhere);
 }
 
 void Film::add(const Image& frame, const StopTest& stop) {

@@ -29,6 +29,8 @@ struct FilmTarget {
   std::filesystem::path file;          ///< "-" for standard output
   bool stream = false;                 ///< into a pipe or a device instead of a file of its own
   const FilmFormat* format = nullptr;  ///< null where the name chooses none
+
+  bool is_standard_output() const { return file == "-"; }
 };
 
 /// What a name means: its ending chooses the format. What goes into a pipe (which "-" is, and any name of

@@ -12,9 +12,6 @@ namespace {
 
 constexpr std::array sphere_attributes{Attribute{4, GL_FLOAT, offsetof(SphereRecord, centre)},
                                        Attribute{4, GL_UNSIGNED_BYTE, offsetof(SphereRecord, colour)}};
-constexpr std::array link_attributes{Attribute{4, GL_FLOAT, offsetof(LinkRecord, start)},
-                                     Attribute{3, GL_FLOAT, offsetof(LinkRecord, end)},
-                                     Attribute{4, GL_UNSIGNED_BYTE, offsetof(LinkRecord, colour)}};
 constexpr std::array surface_attributes{Attribute{3, GL_FLOAT, offsetof(SurfaceVertex, position)},
                                         Attribute{3, GL_FLOAT, offsetof(SurfaceVertex, normal)},
                                         Attribute{1, GL_FLOAT, offsetof(SurfaceVertex, hollow)}};
@@ -127,8 +124,8 @@ SquarePainter sphere_painter(const Gl& gl, const ShaderLibrary& library, const D
 }
 
 SquarePainter link_painter(const Gl& gl, const ShaderLibrary& library, const Defines& defines) {
-  return {
-      gl, library, {"link.vert", "link.frag", "nothing.frag"}, defines, sizeof(LinkRecord), link_attributes};
+  return {gl,      library,           {"link.vert", "link.frag", "nothing.frag"},
+          defines, sizeof(RodRecord), rod_attributes};
 }
 
 SurfacePainter::SurfacePainter(const Gl& gl, const ShaderLibrary& library, const Look& look, Defines defines)

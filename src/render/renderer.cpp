@@ -215,14 +215,14 @@ FrameBlock Renderer::Drawing::camera(const Geometry& geometry, const glm::vec2& 
 std::vector<Readback> Renderer::Drawing::passes(const Geometry& geometry, const Region& region) {
   // Edges of spheres and links are as smooth as there are samples, and only theirs are not the driver's.
   const bool shared = target_.samples() > 1 && !(geometry.spheres.empty() && geometry.links.empty());
+  const bool hidden = backdrop_ && std::ranges::any_of(geometry.grounds, [&](const GroundPatch& ground) {
+                        return may_hide(ground, geometry);
+                      });
   std::vector<Readback> drawn;
   for (const glm::vec2& shift : shifts_of(settings_.samples / target_.samples())) {
     uniforms_.load(camera(geometry, shift));
     target_.begin(region, shared ? Alpha::share : Alpha::cover);
-    if (backdrop_ && std::ranges::any_of(geometry.grounds, [&](const GroundPatch& ground) {
-          return may_hide(ground, geometry);
-        }))
-      backdrop_->draw_depth(geometry);
+    if (hidden) backdrop_->draw_depth(geometry);
     draw_opaque(geometry);
     draw_lattice();
     drawn.push_back(target_.end());

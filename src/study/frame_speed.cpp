@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "base/abrupt_end.h"
 #include "frames/frame_selection.h"
 #include "frames/frames.h"
 #include "host/progress.h"
@@ -18,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A folder that goes away with the object.
+// A folder that goes away with the object, or with the process.
 class Scratch {
  public:
   Scratch() : folder_(fs::temp_directory_path() / fmt::format("taut-bench-{}", ::getpid())) {}
@@ -32,6 +33,10 @@ class Scratch {
 
  private:
   fs::path folder_;
+  AtAbruptEnd goes_away_{[folder = folder_] {
+    std::error_code error;
+    fs::remove_all(folder, error);
+  }};
 };
 
 RenderOutcome render_some(const Scene& scene, int frames, bool film, int cores, const StopTest& stop) {

@@ -13,7 +13,6 @@ namespace taut {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using WallClock = std::chrono::steady_clock;
 
 // Shares of the time: for finding out what is true; what one run may cost that this is made of, of which
 // there are a dozen; and what the short runs by rule may cost, predicted, where no truth was found.
@@ -21,12 +20,14 @@ constexpr double share_for_truth = 0.6, share_of_certificate = 0.08, share_of_ag
                  share_without_truth = 0.15;
 
 class Deadline {
+  using Clock = std::chrono::steady_clock;
+
  public:
-  explicit Deadline(double seconds) : end_(WallClock::now() + std::chrono::duration<double>(seconds)) {}
-  bool passed() const { return WallClock::now() >= end_; }
+  explicit Deadline(double seconds) : end_(Clock::now() + std::chrono::duration<double>(seconds)) {}
+  bool passed() const { return Clock::now() >= end_; }
 
  private:
-  std::chrono::time_point<WallClock, std::chrono::duration<double>> end_;
+  std::chrono::time_point<Clock, std::chrono::duration<double>> end_;
 };
 
 Json plan_to_json(const Plan& plan) {

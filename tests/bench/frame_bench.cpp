@@ -4,9 +4,8 @@
 //   cmake --preset tested && cmake --build --preset tested --target frame_bench &&
 //   build/tested/tests/bench/frame_bench
 //
-// `empty picture` is what clearing, sky and the mean of four samples cost over the whole picture: the least
-// that drawing everything anew for each frame could take. `taut render … -v` has the same of a whole run, the
-// film's encoder included.
+// `empty picture` has nothing but the sky, seen from another place each time: what a backdrop costs that
+// can't be kept. `taut render … -v` has the same of a whole run, the film's encoder included.
 #include <benchmark/benchmark.h>
 
 #include <filesystem>
@@ -65,13 +64,10 @@ void compress(benchmark::State& run, Subject subject) {
   for (auto round : run) benchmark::DoNotOptimize(taut::encode_png(image));
 }
 
-// Nothing but the sky, seen from another place each time.
 void empty_picture(benchmark::State& run) {
   taut::Scene scene = scene_of({"pendulum", 0.0});
   scene.look = {};
   scene.look.masses = scene.look.links = scene.look.ground = scene.look.shadows = false;
-  scene.look.masses = true;
-  scene.look.mass_radius = 1e-3;
   taut::Painter painter(scene, standard());
   for (auto round : run) {
     scene.camera.eye.x() += 1e-3;

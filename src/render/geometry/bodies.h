@@ -4,19 +4,12 @@
 #include <vector>
 
 #include "geometry/colour_scale.h"
+#include "geometry/lattice.h"
 #include "model/model.h"
 #include "model/state.h"
 #include "view/view.h"
 
 namespace taut {
-
-/// A rod with round ends as shaders/rod.vert reads it; a ball where both ends are one point.
-struct RodRecord {
-  glm::vec3 start;  ///< m
-  float radius;     ///< m
-  glm::vec3 end;    ///< m
-  Rgba colour;
-};
 
 /// A box as shaders/box.vert reads it.
 struct BoxRecord {
@@ -27,7 +20,7 @@ struct BoxRecord {
 
 /// What is drawn as rods, balls and boxes.
 struct Bodies {
-  std::vector<RodRecord> rods;
+  std::vector<RodRecord> rods;  ///< with round ends; balls where both ends are one point
   std::vector<BoxRecord> boxes;
 };
 

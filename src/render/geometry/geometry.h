@@ -22,7 +22,7 @@ struct Bounds {
 struct Geometry {
   CameraPose pose;
   std::vector<SphereRecord> spheres;
-  std::vector<LinkRecord> links;
+  std::vector<RodRecord> links;
   SurfaceMesh surface;  ///< without vertices where none is drawn
   Bodies bodies;
   std::vector<GroundPatch> grounds;  ///< those that are seen from above
@@ -46,7 +46,7 @@ void for_each_ball(const Geometry& geometry, const Visit& visit) {
     visit(record.start, record.radius);
     visit(record.end, record.radius);
   };
-  for (const LinkRecord& link : geometry.links) visit_ends(link);
+  for (const RodRecord& link : geometry.links) visit_ends(link);
   for (const RodRecord& rod : geometry.bodies.rods) visit_ends(rod);
   for (const BoxRecord& box : geometry.bodies.boxes)
     for (int corner = 0; corner < 8; ++corner)

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "geometry/bodies.h"
 #include "geometry/view_matrices.h"
 
 namespace taut {
@@ -79,9 +78,9 @@ std::vector<SphereRecord> sphere_records(const Model& model, const State& state,
   return records;
 }
 
-std::vector<LinkRecord> link_records(const Model& model, const State& state, const Look& look,
-                                     const Radii& radii, const Quantity& quantity, const ColourScale& scale) {
-  std::vector<LinkRecord> records;
+std::vector<RodRecord> link_records(const Model& model, const State& state, const Look& look,
+                                    const Radii& radii, const Quantity& quantity, const ColourScale& scale) {
+  std::vector<RodRecord> records;
   if (!look.links) return records;
   records.reserve(model.links.size());
   const std::vector<bool> boned = drawn_as_bones(model, look);

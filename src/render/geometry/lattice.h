@@ -17,8 +17,8 @@ struct SphereRecord {
   Rgba colour;
 };
 
-/// One link as shaders/link.vert reads it.
-struct LinkRecord {
+/// A link, or a rod of a body, as shaders/link.vert and rod.vert read it.
+struct RodRecord {
   glm::vec3 start;  ///< m
   float radius;     ///< m
   glm::vec3 end;    ///< m
@@ -44,7 +44,7 @@ std::vector<SphereRecord> sphere_records(const Model& model, const State& state,
                                          const ColourScale& scale);
 
 /// Ribbons for the links that are whole.
-std::vector<LinkRecord> link_records(const Model& model, const State& state, const Look& look,
-                                     const Radii& radii, const Quantity& quantity, const ColourScale& scale);
+std::vector<RodRecord> link_records(const Model& model, const State& state, const Look& look,
+                                    const Radii& radii, const Quantity& quantity, const ColourScale& scale);
 
 }  // namespace taut

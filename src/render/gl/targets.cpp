@@ -140,9 +140,7 @@ void LightMap::begin(Size size) {
     check_framebuffer(*gl_);
   }
   gl_->bind_framebuffer(GL_FRAMEBUFFER, framebuffer_.name());
-  gl_->viewport(0, 0, room_.width, room_.height);
-  gl_->clear_colour(1.0F, 1.0F, 1.0F, 1.0F);
-  gl_->clear(GL_COLOR_BUFFER_BIT);
+  gl_->viewport(0, 0, size.width, size.height);
 }
 
 void LightMap::bind_for_reading() const {

@@ -61,8 +61,8 @@ class LightMap {
  public:
   explicit LightMap(const Gl& gl);
 
-  /// Directs drawing into so many texels of it, and fills them with light. It grows where they are more than
-  /// it has.
+  /// Directs drawing into so many texels of it, all of which have to be drawn. It grows where they are more
+  /// than it has.
   void begin(Size size);
   /// Lets shaders read it as light_map.
   void bind_for_reading() const;

@@ -23,8 +23,6 @@ class FrameFolder {
 
   /// What there is, and what it was made from.
   const Manifest& manifest() const { return manifest_; }
-  /// Whether the frame is there, showing a state with that hash.
-  bool has(int frame, const std::string& state_hash) const;
   bool has(int frame) const { return manifest_.frames.contains(frame); }
   std::filesystem::path frame_file(int frame) const;
 

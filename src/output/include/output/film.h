@@ -23,6 +23,7 @@ struct FilmSettings {
 /// Whether a film of that name goes into a pipe or a device: "-" is standard output, "webm:-" says in which
 /// format.
 bool is_film_stream(const std::filesystem::path& name);
+bool goes_to_standard_output(const std::filesystem::path& name);
 
 /// Throws BadRequest when the format does not exist or can't hold films of that size or with transparency.
 void check_film_settings(const FilmSettings& settings);
