@@ -112,7 +112,7 @@ TEST_F(FilmTest, GoesIntoAPipeAsItGrows) {
     EXPECT_EQ(found["streams"][0]["nb_read_frames"], "30") << film;
   }
   ASSERT_EQ(run_program("mkfifo", {folder_ / "named.mp4"}).status, 0);
-  into("named.mp4", " & cat named.mp4 > piped; wait $!");
+  into("named.mp4", " & timeout 20 cat named.mp4 > piped; wait $!");
   EXPECT_TRUE(fs::is_fifo(folder_ / "named.mp4")) << "a pipe is written into, not replaced";
   EXPECT_EQ(probe(folder_ / "piped")["streams"][0]["nb_read_frames"], "30");
 }
