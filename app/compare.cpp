@@ -69,6 +69,7 @@ void add_compare(CommandLine& program) {
       ->required();
   verb->add_option("--set", flags->sets, "Change a key of the scene: key=value, any number of times")
       ->allow_extra_args(false);
+  flags->output.picture.captions = true;
   flags->output.add_to(*verb, "out/<scene>-compared");
   verb->footer(
       "--size is that of one picture [640x480]. A method that fails stays where it was, and its picture says "

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -10,6 +11,7 @@
 #include "command_line.h"
 #include "exit_status.h"
 #include "flags.h"
+#include "frames/film_time.h"
 #include "frames/frame_selection.h"
 #include "frames/simulation.h"
 #include "frames/still.h"
@@ -42,8 +44,8 @@ std::vector<Instant> instants(const ExportFlags& flags, const Scene& scene) {
   std::vector<Instant> result;
   if (flags.times.empty()) {
     const FrameRate rate = parse_frame_rate("--fps", flags.rate);
-    for (const int frame : all_frames(frame_count(scene.duration, rate)))
-      result.push_back({frame, frame_time(frame, rate)});
+    for (const int frame : all_frames(frame_count(film_duration(scene.look, scene.duration), rate)))
+      result.push_back({frame, std::min(scene_time(scene.look, frame_time(frame, rate)), scene.duration)});
     return result;
   }
   for (const std::string_view part : split(flags.times, ',')) {

@@ -106,6 +106,9 @@ void PictureFlags::add_to(Verb& verb) {
   verb.add_option("--color,--colour", colour,
                   "Colour by plain, strain, tension or speed instead of as the scene says");
   verb.add_flag("--transparent", transparent, "Nothing behind the scene; PNG with alpha");
+  verb.add_flag("--captions,!--no-captions", captions,
+                fmt::format("Below each picture, as a part of its size: title, time, method, figures [{}]",
+                            captions ? "on" : "off"));
   verb.add_option(
           "--gl", gl,
           "How to get OpenGL without a display: osmesa, egl, egl:N (a device of `taut list gl`) or auto")
@@ -121,6 +124,7 @@ PictureSettings PictureFlags::settings(std::optional<Size> usual) const {
   if (wanted) check_size(*wanted);
   settings.render = render_settings_for(parse_quality(quality), wanted);
   settings.render.transparent = transparent;
+  settings.captions = captions;
   settings.gl = parse_gl(gl);
   settings.shader_folder = shader_folder;
   return settings;

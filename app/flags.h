@@ -43,6 +43,7 @@ void print_notes(const Scene& scene, bool quiet);
 struct PictureFlags {
   std::string size, quality, colour, gl = "auto", shader_folder;
   bool transparent = false;
+  bool captions = false;  ///< before the command line is read: the verb's usual
 
   void add_to(Verb& verb);
   /// Throws BadRequest. `usual` is the size where neither size nor quality is given.

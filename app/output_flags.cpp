@@ -123,7 +123,7 @@ RenderRequest OutputFlags::request(const std::string& usual_folder, std::optiona
   return request;
 }
 
-int render_and_report(std::span<const Scene> scenes, const RenderRequest& request, const OutputFlags& flags,
+int render_and_report(std::span<Scene> scenes, const RenderRequest& request, const OutputFlags& flags,
                       const InterruptWatch& interrupts, const std::optional<Plan>& plan) {
   Progress progress(stderr, progress_style(stderr, flags.quiet), "frames");
   const StopTest stop = stop_test(interrupts);

@@ -26,7 +26,7 @@ struct OutputFlags {
 
 /// Renders a scene, run in one way or in several, until a signal comes, says what came of it, and returns the
 /// exit status.
-int render_and_report(std::span<const Scene> scenes, const RenderRequest& request, const OutputFlags& flags,
+int render_and_report(std::span<Scene> scenes, const RenderRequest& request, const OutputFlags& flags,
                       const InterruptWatch& interrupts, const std::optional<Plan>& plan = {});
 
 }  // namespace taut

@@ -1,7 +1,9 @@
 #version 330 core
 // Ground with grid lines that fade where they would alias, and fog towards the horizon. What stops things is a
-// surface (SOLID); what stops nothing is but lines on the mist, to see heights by.
+// surface (SOLID); what stops nothing is but lines on the mist, to see heights by. CUT_OUT: only the shadow on it,
+// to lay over any page.
 #include "soft_shadow.glsl"
+#include "dither.glsl"
 
 uniform vec3 normal;
 uniform vec3 foot_and_height;
@@ -22,9 +24,12 @@ float grid_lines(vec2 at, float half_width) {
 
 void main() {
   float mist = smoothstep(fog.x, fog.y, length(from_foot));
+  float reaching = light_reaching_across(place_in_map(point));
+#ifdef CUT_OUT
+  pixel = vec4(vec3(0.0), 0.30 * (1.0 - reaching) * (1.0 - mist));
+#else
   vec2 at = (foot_and_height.xy + from_foot) / fog.z;
   float lines = min(0.6 * grid_lines(at, 0.012) + 0.8 * grid_lines(0.25 * at, 0.006), 1.0);
-  float reaching = light_reaching_across(place_in_map(point));
   vec3 behind = sky_colour(normalize(point));
 #ifdef SOLID
   vec3 albedo = ground.rgb * (1.0 - ground.w * lines);
@@ -32,5 +37,6 @@ void main() {
 #else
   vec3 colour = behind * (1.0 - 0.7 * ground.w * lines) * mix(0.86, 1.0, reaching);
 #endif
-  pixel = vec4(mix(colour, behind, mist), 1.0);
+  pixel = vec4(mix(colour, behind, mist) + dither(), 1.0);
+#endif
 }

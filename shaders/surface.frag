@@ -50,15 +50,20 @@ float pattern_shade() {
 void main() {
   float side = gl_FrontFacing ? 1.0 : -1.0;
   vec3 normal = normalize(front_normal) * side;
-#ifdef PAINTED
-  vec3 albedo = linear_from_display(painted);
-#else
   vec3 albedo = linear_from_display(gl_FrontFacing ? FRONT_COLOUR : BACK_COLOUR);
-#endif
 #ifdef PATTERN
   albedo *= pattern_shade();
 #endif
 
+#ifdef PAINTED
+  // As much shade as folds need to be seen, and no more: what counts are the colours of the legend.
+  float shape = 0.5 + 0.5 * dot(normal, normalize(0.6 * to_light + normalize(to_eye)));
+  float shade = 0.80 + 0.24 * shape;
+#ifdef SHADOWS
+  shade -= 0.10 * (1.0 - texture(light_map, in_light_map).r);
+#endif
+  pixel = vec4(painted * shade, 1.0);
+#else
   float facing = dot(normal, to_light);
   // Folds light each other, so what lies in their shadow isn't quite dark.
 #ifdef SHADOWS
@@ -76,4 +81,5 @@ void main() {
   vec3 colour = albedo * (ambient_light(normal) * open + light * (diffuse * mix(1.0, open, 0.7) + through));
   colour += (0.10 * albedo + 0.02) * grazing * ambient_above * open;
   pixel = vec4(display_from_linear(colour), 1.0);
+#endif
 }

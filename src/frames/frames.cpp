@@ -16,9 +16,13 @@
 #include "base/processor_time.h"
 #include "bounded_queue.h"
 #include "first_failure.h"
+#include "frames/captions.h"
+#include "frames/film_time.h"
 #include "frames/frame_selection.h"
-#include "frames/ground_note.h"
 #include "frames/panels.h"
+#include "frames/picture_notes.h"
+#include "frames/settled_colours.h"
+#include "frames/settled_view.h"
 #include "output/film.h"
 #include "output/png.h"
 #include "panel_runs.h"
@@ -38,7 +42,7 @@ struct Posed {
   int frame = 0;
   std::string hash;
   std::vector<PanelState> panels;
-  std::vector<PanelText> texts;  // one a panel where there are several
+  std::vector<Caption> captions;  // one a panel, where they are wanted
 };
 
 // What is seen of a moment, on its way to OpenGL.
@@ -46,7 +50,7 @@ struct Shaped {
   int frame = 0;
   std::string hash;
   PanelPainter::Shapes shapes;
-  std::vector<PanelText> texts;
+  std::vector<Caption> captions;
 };
 
 using Finished = std::shared_ptr<const FinishedFrame>;
@@ -126,6 +130,7 @@ class Pipeline {
   BoundedQueue<Shaped> shaped_{2};
   BoundedQueue<Drawn> to_finish_{2};
   std::list<Lane> lanes_;
+  PictureNotes notes_;
   FirstFailure failure_;
   const StopTest told_to_stop_ = [this] { return told_to_stop(); };
   FirstFailure step_failure_;  // no reason to throw away the frames before it, so it stops nobody else
@@ -135,22 +140,24 @@ class Pipeline {
 
 void Pipeline::simulate(PanelRuns& runs) {
   for (const int frame : job_.frames) {
-    std::optional<std::vector<PanelState>> now = clock_.time(
-        Stage::simulate, [&] { return runs.at(frame_time(frame, request_.rate), told_to_stop_); });
+    const double time = std::min(scene_time(scenes_.front().look, frame_time(frame, request_.rate)),
+                                 scenes_.front().duration);
+    std::optional<std::vector<PanelState>> now =
+        clock_.time(Stage::simulate, [&] { return runs.at(time, told_to_stop_); });
     if (!now || told_to_stop()) {
       stopped_ = true;
       return;
     }
     if (request_.watch) request_.watch(now->front().state);
     Posed posed{frame, panels_hash(*now), {}, {}};
-    for (std::size_t i = 0; i < now->size() && shows_ground() && !outcome_.note; ++i)
-      outcome_.note = ground_note(scenes_[i], (*now)[i].state);
-    for (std::size_t i = 0; i < now->size() && (now->size() > 1 || frame == job_.frames.back()); ++i) {
+    for (std::size_t i = 0; i < now->size(); ++i)
+      notes_.see(scenes_[i], request_.picture.drawn_size(), shows_ground(), (*now)[i].state);
+    const bool last = frame == job_.frames.back();
+    for (std::size_t i = 0; i < now->size() && (request_.picture.captions || last); ++i) {
       const PanelOutcome outcome{runs.measures(i), (*now)[i].failure};
-      posed.texts.push_back({panel_title(scenes_[i]),
-                             panel_lines(scenes_[i], outcome.measures, outcome.failure),
-                             !outcome.failure.empty()});
-      if (frame == job_.frames.back()) outcome_.panels.push_back(outcome);
+      posed.captions.push_back(
+          panel_caption(scenes_[i], outcome.measures, time, outcome.failure, now->size() == 1));
+      if (last) outcome_.panels.push_back(outcome);
     }
     posed.panels = *std::move(now);
     if (!posed_.push(std::move(posed))) return;
@@ -165,7 +172,7 @@ void Pipeline::shape(PanelPainter& painter) {
     }
     std::vector<const State*> states;
     for (const PanelState& panel : posed->panels) states.push_back(&panel.state);
-    Shaped shaped{posed->frame, std::move(posed->hash), {}, std::move(posed->texts)};
+    Shaped shaped{posed->frame, std::move(posed->hash), {}, std::move(posed->captions)};
     shaped.shapes = clock_.time(Stage::shape, [&] { return painter.shape(states); });
     if (!shaped_.push(std::move(shaped))) return;
   }
@@ -220,7 +227,7 @@ void Pipeline::finish_frames(const PanelPainter& painter) {
     try {
       FinishedFrame finished{frame.frame, frame.hash, {}, {}};
       finished.image =
-          clock_.time(Stage::flatten, [&] { return painter.finish(drawn->panels, frame.texts); });
+          clock_.time(Stage::flatten, [&] { return painter.finish(drawn->panels, frame.captions); });
       if (frame.as_png)
         finished.png = clock_.time(Stage::compress, [&] { return encode_png(finished.image); });
       frame.finished.set_value(std::make_shared<const FinishedFrame>(std::move(finished)));
@@ -296,6 +303,7 @@ RenderOutcome Pipeline::run() {
   if (job_.folder) outcome_.shown -= lanes_.front().let_go;
 
   progress_.finish();
+  outcome_.note = notes_.text();
   finish(film);
   outcome_.stages = clock_.seconds();
   outcome_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -331,16 +339,29 @@ void Pipeline::finish(std::optional<Film>& film) {
   step_failure_.rethrow();
 }
 
+RenderOutcome settle_and_run(std::span<Scene> scenes, const RenderRequest& request, RenderJob& job,
+                             Progress& progress, const StopTest& stop) {
+  try {
+    settle_views(scenes, request.picture.drawn_size(), stop);
+    settle_colours(scenes, request.execution, stop);
+  } catch (const Interrupted&) {
+    RenderOutcome outcome;
+    outcome.stopped = true;
+    return outcome;
+  }
+  return Pipeline(scenes, request, job, progress, stop).run();
+}
+
 }  // namespace
 
-RenderOutcome render_frames(std::span<const Scene> scenes, const RenderRequest& request, Progress& progress,
+RenderOutcome render_frames(std::span<Scene> scenes, const RenderRequest& request, Progress& progress,
                             const StopTest& stop) {
   RenderJob job = make_render_job(scenes, request);
   RenderOutcome outcome;
   if (job.complete())
     outcome.shown = outcome.kept = job.frames.size();
   else
-    outcome = Pipeline(scenes, request, job, progress, stop).run();
+    outcome = settle_and_run(scenes, request, job, progress, stop);
   outcome.asked = job.frames.size();
   outcome.inputs = job.inputs;
   outcome.size = sheet_size(request.picture.render.size, scenes.size());

@@ -10,10 +10,17 @@
 
 #include "base/failure.h"
 #include "base/hash.h"
+#include "frames/captions.h"
 #include "render/camera.h"
 
 namespace taut {
 namespace {
+
+RenderSettings drawn(const PictureSettings& settings) {
+  RenderSettings render = settings.render;
+  render.size = settings.drawn_size();
+  return render;
+}
 
 // Shaders decide what a picture looks like as much as a scene does.
 std::string shaders_text(const std::filesystem::path& folder) {
@@ -41,12 +48,16 @@ void check_size(Size size) {
                                  size.width, size.height));
 }
 
+Size PictureSettings::drawn_size() const {
+  return captions ? Size{render.size.width, render.size.height - caption_height(render.size)} : render.size;
+}
+
 std::string settings_text(const PictureSettings& settings) {
   const RenderSettings& render = settings.render;
-  return fmt::format("{}x{}, {} samples, shadows {}, {}, gl {}, shaders {}", render.size.width,
-                     render.size.height, render.samples, render.shadow_map_size,
-                     render.transparent ? "transparent" : "opaque", settings.gl.name(),
-                     shaders_text(settings.shader_folder));
+  return fmt::format("{}x{}{}, {} samples, shadows {}, {}, gl {}, shaders {}", render.size.width,
+                     render.size.height, settings.captions ? " with captions" : "", render.samples,
+                     render.shadow_map_size, render.transparent ? "transparent" : "opaque",
+                     settings.gl.name(), shaders_text(settings.shader_folder));
 }
 
 struct Painter::Tools {
@@ -57,7 +68,7 @@ struct Painter::Tools {
   Tools(std::unique_ptr<GlContext> made, const Scene& scene, const PictureSettings& settings)
       : context(std::move(made)),
         maker(scene.model, scene.start, scene.look),
-        renderer(*context, scene.look, settings.render, settings.shader_folder) {}
+        renderer(*context, scene.look, drawn(settings), settings.shader_folder) {}
 };
 
 Painter::Painter(const Scene& scene, const PictureSettings& settings)

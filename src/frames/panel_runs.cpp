@@ -11,6 +11,7 @@
 #include "base/failure.h"
 #include "base/hash.h"
 #include "frames/colouring.h"
+#include "frames/film_time.h"
 #include "methods/registry.h"
 
 namespace taut {
@@ -61,6 +62,15 @@ RunMeasures PanelRuns::measures(std::size_t which) const {
   return simulations_[which].measures(panels_[which].state);
 }
 
+std::string time_text(const Scene& scene, double time) {
+  // As many digits as tell the moments of a film apart.
+  const std::string text = fmt::format("{:.{}f} s", time, scene.duration < 1.0 ? 3 : 2);
+  const double speed = film_speed(scene.look, time);
+  if (speed == 1.0) return text;
+  return speed < 1.0 ? fmt::format("{}, {:.3g} × slower", text, 1.0 / speed)
+                     : fmt::format("{}, {:.3g} × faster", text, speed);
+}
+
 std::string panel_title(const Scene& scene) {
   const Settings& settings = scene.settings;
   std::string title = settings.method;
@@ -75,16 +85,25 @@ std::string panel_title(const Scene& scene) {
                                            : fmt::format(", {} steps/s", settings.steps_per_second()));
 }
 
-std::vector<std::string> panel_lines(const Scene& scene, const RunMeasures& measures,
-                                     const std::string& failure) {
-  if (!failure.empty()) return {fmt::format("went no further than {:.3g} s", measures.time)};
-  std::vector<std::string> lines{"strain " + percent(measures.strain.largest)};
+std::string figures_text(const Scene& scene, const RunMeasures& measures) {
+  std::string text = fmt::format("strain {}", percent(measures.strain.largest));
   if (scene.look.colour_by == ColourBy::tension && !colour_problem(scene).empty())
-    lines.push_back("tension unknown");
-  if (scene.model.drag == 0.0)
-    lines.push_back(fmt::format("energy {}{}", measures.energy_error < 0.0 ? "−" : "+",
-                                percent(std::abs(measures.energy_error))));
-  return lines;
+    text += ", tension unknown";
+  if (scene.model.drag != 0.0) return text;
+  // A sign before "below" would say nothing.
+  const double error = measures.energy_error;
+  const std::string size = percent(std::abs(error));
+  const bool has_digits = size.front() >= '0' && size.front() <= '9';
+  return text + fmt::format(", energy {}{}", !has_digits ? "error " : error < 0.0 ? "−" : "+", size);
+}
+
+Caption panel_caption(const Scene& scene, const RunMeasures& measures, double time,
+                      const std::string& failure, bool alone) {
+  Caption caption{alone ? scene.title : panel_title(scene), time_text(scene, time), {}, !failure.empty()};
+  caption.line = caption.failed ? fmt::format("went no further than {:.3g} s", measures.time)
+                                : figures_text(scene, measures);
+  if (alone) caption.line = fmt::format("{} · {}", panel_title(scene), caption.line);
+  return caption;
 }
 
 std::string panels_hash(const std::vector<PanelState>& panels) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "frames/captions.h"
 #include "frames/simulation.h"
 #include "scene/scene.h"
 
@@ -43,10 +44,14 @@ class PanelRuns {
 /// A way of running a scene in a few words, such as "xpbd × 4, 600 steps/s".
 std::string panel_title(const Scene& scene);
 
-/// How a way of running a scene does, in short lines: the largest strain of a link, and the energy error
-/// where no drag takes any; or how far it went.
-std::vector<std::string> panel_lines(const Scene& scene, const RunMeasures& measures,
-                                     const std::string& failure);
+/// A time of a scene's run in words.
+std::string time_text(const Scene& scene, double time);
+
+/// What is said of a picture of a run at a time (s), alone or among those of others: the scene's or the
+/// method's name, the time, the largest strain of a link, and the energy error where no drag takes any; or
+/// how far the run went.
+Caption panel_caption(const Scene& scene, const RunMeasures& measures, double time,
+                      const std::string& failure, bool alone);
 
 /// A hash of the states of all panels: of one alone, its own.
 std::string panels_hash(const std::vector<PanelState>& panels);

@@ -5,13 +5,13 @@
 
 #include "frames/colouring.h"
 #include "render/overlay.h"
-#include "render/text.h"
 
 namespace taut {
 namespace {
 
-constexpr Paint ink{{0.10, 0.12, 0.15}, 1.0}, faint_ink{{0.27, 0.30, 0.34}, 1.0};
-constexpr Paint warning{{0.76, 0.22, 0.05}, 1.0}, rule{{1.0, 1.0, 1.0}, 0.85};
+Paint rule(Theme theme) {
+  return theme == Theme::dark ? Paint{{0.30, 0.32, 0.36}, 0.85} : Paint{{1.0, 1.0, 1.0}, 0.85};
+}
 
 int columns_for(std::size_t count) {
   constexpr std::size_t row = 3;
@@ -26,26 +26,39 @@ int rows_for(std::size_t count) {
 
 }  // namespace
 
-struct PanelPainter::Captions {
-  Font font = Font::load();
-
-  void write(const PanelText& panel, Size size, Image& picture) const {
-    const double letters = std::clamp(size.height / 18.0, 11.0, 34.0), margin = 0.6 * letters;
-    double baseline = margin + letters;
-    font.draw(picture, {margin, baseline}, panel.title, letters, ink);
-    for (const std::string& line : panel.lines) {
-      baseline += letters;
-      font.draw(picture, {margin, baseline}, line, 0.72 * letters, panel.failed ? warning : faint_ink);
-    }
-  }
-};
+SheetGrid sheet_grid(Size panel, std::size_t count) {
+  return {panel, columns_for(count), rows_for(count)};
+}
 
 Size sheet_size(Size panel, std::size_t count) {
-  return {panel.width * columns_for(count), panel.height * rows_for(count)};
+  return sheet_grid(panel, count).size();
+}
+
+Image laid_out(const SheetGrid& grid, std::span<const Image> pictures, std::span<const Caption> captions,
+               const CaptionWriter* writer, Theme theme) {
+  Image sheet = Image::blank(grid.size(), pictures.front().channels);
+  for (int i = 0; i < grid.columns * grid.rows; ++i) {
+    const auto which = static_cast<std::size_t>(i);
+    const int left = (i % grid.columns) * grid.panel.width, top = (i / grid.columns) * grid.panel.height;
+    const double x = left, y = top, width = grid.panel.width, height = grid.panel.height;
+    if (which < pictures.size()) {
+      const Image& picture = pictures[which];
+      place_image(sheet, left, top, picture);
+      const double drawn = picture.size.height;
+      if (writer != nullptr)
+        writer->write(sheet, {x, y + drawn, width, height - drawn}, grid.panel, captions[which]);
+    } else if (writer != nullptr) {
+      writer->fill(sheet, {x, y, width, height});
+    }
+    if (left > 0) fill_rectangle(sheet, {x - 1.0, y, 2.0, height}, rule(theme));
+    if (top > 0) fill_rectangle(sheet, {x, y - 1.0, width, 2.0}, rule(theme));
+  }
+  return sheet;
 }
 
 PanelPainter::PanelPainter(std::span<const Scene> scenes, const PictureSettings& settings)
-    : settings_(settings), captions_(scenes.size() > 1 ? new Captions : nullptr) {
+    : settings_(settings), theme_(scenes.front().look.theme) {
+  if (settings.captions) writer_.emplace(theme_);
   for (const Scene& scene : scenes) {
     const bool plain = scenes.size() > 1 && !colour_problem(scene).empty();
     if (plain && !plain_painter_) {
@@ -80,22 +93,12 @@ PanelPainter::Drawn PanelPainter::fetch() {
   return drawn;
 }
 
-Image PanelPainter::finish(const Drawn& drawn, std::span<const PanelText> texts) const {
-  if (drawn.size() == 1) return flatten(*drawn.front());
-  const Size panel = settings_.render.size;
-  Image sheet = Image::blank(sheet_size(panel, drawn.size()), settings_.render.transparent ? 4 : 3);
-  const int columns = columns_for(drawn.size());
-  for (int i = 0; i < static_cast<int>(drawn.size()); ++i) {
-    const auto which = static_cast<std::size_t>(i);
-    Image picture = flatten(*drawn[which]);
-    captions_->write(texts[which], panel, picture);
-    const int left = (i % columns) * panel.width, top = (i / columns) * panel.height;
-    place_image(sheet, left, top, picture);
-    const double x = left, y = top, width = panel.width, height = panel.height;
-    if (left > 0) fill_rectangle(sheet, {x - 1.0, y, 2.0, height}, rule);
-    if (top > 0) fill_rectangle(sheet, {x, y - 1.0, width, 2.0}, rule);
-  }
-  return sheet;
+Image PanelPainter::finish(const Drawn& drawn, std::span<const Caption> captions) const {
+  if (drawn.size() == 1 && !writer_) return flatten(*drawn.front());
+  std::vector<Image> pictures;
+  for (const auto& layers : drawn) pictures.push_back(flatten(*layers));
+  return laid_out(sheet_grid(settings_.render.size, drawn.size()), pictures, captions,
+                  writer_ ? &*writer_ : nullptr, theme_);
 }
 
 }  // namespace taut

@@ -9,6 +9,7 @@
 #include "base/failure.h"
 #include "base/hash.h"
 #include "frames/colouring.h"
+#include "frames/film_time.h"
 #include "frames/frame_selection.h"
 #include "frames/panels.h"
 #include "host/build_info.h"
@@ -104,7 +105,7 @@ RenderJob make_render_job(std::span<const Scene> scenes, const RenderRequest& re
   check_size(request.picture.render.size);
   check_size(sheet_size(request.picture.render.size, scenes.size()));
   RenderJob job;
-  const int count = frame_count(scenes.front().duration, request.rate);
+  const int count = frame_count(film_duration(scenes.front().look, scenes.front().duration), request.rate);
   job.frames = request.selection ? select_frames(*request.selection, count) : all_frames(count);
   if (request.film) check_film_settings(film_settings(request, scenes.size()));
 

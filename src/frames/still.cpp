@@ -4,25 +4,30 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "base/failure.h"
+#include "frames/captions.h"
 #include "frames/colouring.h"
-#include "frames/ground_note.h"
+#include "frames/panels.h"
+#include "frames/picture_notes.h"
+#include "frames/settled_colours.h"
+#include "frames/settled_view.h"
 #include "frames/simulation.h"
 #include "output/atomic_file.h"
 #include "output/png.h"
+#include "panel_runs.h"
 
 namespace taut {
 namespace {
 
-void paste(const Image& panel, std::size_t column, Image& sheet) {
-  const auto channels = static_cast<std::size_t>(panel.channels);
-  const std::size_t row_bytes = static_cast<std::size_t>(panel.size.width) * channels;
-  const std::size_t sheet_row_bytes = static_cast<std::size_t>(sheet.size.width) * channels;
-  for (std::size_t row = 0; row < static_cast<std::size_t>(panel.size.height); ++row)
-    std::memcpy(sheet.pixels.data() + row * sheet_row_bytes + column * row_bytes,
-                panel.pixels.data() + row * row_bytes, row_bytes);
+// Of one picture alone all is said below it; of several in a row, what they share is said below the first.
+Caption strip_caption(const Scene& scene, const Simulation& simulation, const State& state, std::size_t which,
+                      std::size_t count) {
+  if (count == 1) return panel_caption(scene, simulation.measures(state), state.time, {}, true);
+  Caption caption{{}, time_text(scene, state.time), {}, false};
+  if (which == 0) caption.line = scene.title;
+  if (which == 1) caption.line = panel_title(scene);
+  return caption;
 }
 
 }  // namespace
@@ -34,7 +39,7 @@ void check_times(const Scene& scene, const std::vector<double>& times) {
           fmt::format("{} lasts from 0 to {} s; {} s is outside", scene.name, scene.duration, time));
 }
 
-std::optional<std::string> make_still(const Scene& scene, double time, const PictureSettings& settings,
+std::optional<std::string> make_still(Scene& scene, double time, const PictureSettings& settings,
                                       const std::filesystem::path& file, const Execution& execution,
                                       const StopTest& stop) {
   return make_strip(scene, {time}, settings, file, execution, stop);
@@ -49,30 +54,41 @@ std::vector<double> strip_times(const Scene& scene, double count) {
   return times;
 }
 
-std::optional<std::string> make_strip(const Scene& scene, const std::vector<double>& times,
+std::optional<std::string> make_strip(Scene& scene, const std::vector<double>& times,
                                       const PictureSettings& settings, const std::filesystem::path& file,
                                       const Execution& execution, const StopTest& stop) {
   require_colours(scene);
   check_size(settings.render.size);
   check_times(scene, times);
-  const Size whole{settings.render.size.width * static_cast<int>(times.size()), settings.render.size.height};
-  check_size(whole);
+  const SheetGrid grid{settings.render.size, static_cast<int>(times.size()), 1};
+  check_size(grid.size());
   Simulation simulation(scene, execution);
   PendingFile pending(file);  // first of all, so that a folder that can't be written costs no simulation
-  Painter painter(scene, settings);
-  Image sheet = Image::blank(whole, settings.render.transparent ? 4 : 3);
-  std::optional<std::string> note;
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    const std::optional<State> state = simulation.at(times[i], stop);
+  settle_views({&scene, 1}, settings.drawn_size(), stop);
+  std::vector<State> states;
+  std::vector<Caption> captions;
+  PictureNotes notes;
+  for (const double time : times) {
+    std::optional<State> state = simulation.at(time, stop);
     if (!state) throw Interrupted();
-    if (!note && !settings.render.transparent) note = ground_note(scene, *state);
-    paste(painter.draw(*state), i, sheet);
+    notes.see(scene, settings.drawn_size(), !settings.render.transparent, *state);
+    captions.push_back(strip_caption(scene, simulation, *state, states.size(), times.size()));
+    states.push_back(*std::move(state));
+  }
+  settle_colours(scene, states);
+  Painter painter(scene, settings);
+  std::vector<Image> pictures;
+  for (const State& state : states) {
+    pictures.push_back(painter.draw(state));
     stop_if_told(stop);
   }
+  const std::optional<CaptionWriter> writer =
+      settings.captions ? std::optional<CaptionWriter>(scene.look.theme) : std::nullopt;
+  const Image sheet = laid_out(grid, pictures, captions, writer ? &*writer : nullptr, scene.look.theme);
   const std::vector<std::uint8_t> png = encode_png(sheet);
   pending.write(std::as_bytes(std::span(png)));
   pending.commit();
-  return note;
+  return notes.text();
 }
 
 }  // namespace taut

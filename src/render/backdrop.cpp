@@ -12,10 +12,11 @@ constexpr int samples = 1;
 
 }  // namespace
 
-Backdrop::Backdrop(const Gl& gl, const ShaderLibrary& library, Size size)
+Backdrop::Backdrop(const Gl& gl, const ShaderLibrary& library, Size size, bool cut_out)
     : gl_(&gl),
       library_(&library),
       size_(size),
+      cut_out_(cut_out),
       ground_depth_(gl, library, "ground.vert", "nothing.frag"),
       sky_(gl, library, "sky.vert", "sky.frag"),
       no_attributes_(make_vertex_array(gl)),
@@ -59,6 +60,7 @@ const Program& Backdrop::ground(bool solid, bool shadows) {
     Defines defines;
     if (solid) defines.emplace_back("SOLID");
     if (shadows) defines.emplace_back("SHADOWS");
+    if (cut_out_) defines.emplace_back("CUT_OUT");
     program.emplace(*gl_, *library_, "ground.vert", "ground.frag", defines);
   }
   return *program;

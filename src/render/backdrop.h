@@ -34,13 +34,14 @@ class LitBackdrop {
 /// Draws sky and ground. All but the shadows is drawn once and kept for as long as the camera stands still.
 class Backdrop {
  public:
-  Backdrop(const Gl& gl, const ShaderLibrary& library, Size size);
+  /// `cut_out`: without sky and ground, only the shadows on it.
+  Backdrop(const Gl& gl, const ShaderLibrary& library, Size size, bool cut_out);
 
   /// The whole backdrop without shadows. Where it isn't kept it is drawn with the block that is loaded.
   std::shared_ptr<LitBackdrop> lit(const Geometry& geometry, const FrameBlock& block);
 
   /// The grounds in a region of it, with shadows from the block and the map that are loaded: empty where
-  /// there is no ground.
+  /// there is no ground. Of a cut-out, the shadows alone.
   Readback shaded(const Geometry& geometry, const Region& region);
 
   /// Gives whatever is being drawn the depth of the grounds.
@@ -54,6 +55,7 @@ class Backdrop {
   const Gl* gl_;
   const ShaderLibrary* library_;
   Size size_;
+  bool cut_out_;
   std::array<std::optional<Program>, 4> grounds_;
   Program ground_depth_, sky_;
   GlObject no_attributes_;

@@ -1,7 +1,6 @@
 #include "layers.h"
 
 #include <algorithm>
-#include <cstring>
 #include <span>
 
 #include "legend.h"
@@ -27,18 +26,29 @@ unsigned share_of(unsigned a, unsigned b) {
   return (product + (product >> 8)) >> 8;
 }
 
-// Puts a cut-out into an empty RGBA picture, with straight alpha.
-void put_into(Image& picture, int left, int top, const Image& cut_out) {
+// Lays a cut-out over an RGBA picture, colours of both multiplied by alpha.
+void lay_over_cut_out(Image& picture, int left, int top, const Image& cut_out) {
   for_each_row(
       picture, left, top, cut_out, [](std::uint8_t* to, const std::uint8_t* from, std::size_t width) {
-        std::memcpy(to, from, 4 * width);
-        for (std::size_t x = 0; x < width; ++x, to += 4) {
-          const unsigned alpha = to[3];
-          if (alpha == 0 || alpha == 255) continue;
-          for (int channel = 0; channel < 3; ++channel)
-            to[channel] = static_cast<std::uint8_t>(std::min((to[channel] * 255U + alpha / 2) / alpha, 255U));
+        for (std::size_t x = 0; x < width; ++x, to += 4, from += 4) {
+          const unsigned uncovered = 255U - from[3];
+          if (uncovered == 255) continue;
+          for (int channel = 0; channel < 4; ++channel)
+            to[channel] =
+                static_cast<std::uint8_t>(std::min(from[channel] + share_of(to[channel], uncovered), 255U));
         }
       });
+}
+
+// From colours multiplied by alpha to straight ones.
+void divide_by_alpha(Image& picture) {
+  for (std::size_t pixel = 0; pixel < picture.pixels.size(); pixel += 4) {
+    std::uint8_t* const at = picture.pixels.data() + pixel;
+    const unsigned alpha = at[3];
+    if (alpha == 0 || alpha == 255) continue;
+    for (int channel = 0; channel < 3; ++channel)
+      at[channel] = static_cast<std::uint8_t>(std::min((at[channel] * 255U + alpha / 2) / alpha, 255U));
+  }
 }
 
 // The mean of pictures of one size.
@@ -70,13 +80,14 @@ void lay_over(Image& picture, int left, int top, const Image& cut_out) {
 
 Image flatten(const Layers& layers) {
   Image image = layers.backdrop ? *layers.backdrop : Image::blank(layers.size, 4);
-  const auto lay = layers.backdrop ? lay_over : put_into;
+  const auto lay = layers.backdrop ? lay_over : lay_over_cut_out;
   for (const Layer& part : layers.parts) {
     if (part.passes.size() == 1)
       lay(image, part.region.left, part.region.top, part.passes.front());
     else
       lay(image, part.region.left, part.region.top, mean_of(part.passes));
   }
+  if (!layers.backdrop) divide_by_alpha(image);
   if (layers.legend) draw_legend(image, layers.legend->font, layers.legend->by, layers.legend->scale);
   return image;
 }

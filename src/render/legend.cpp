@@ -37,6 +37,16 @@ struct Layout {
   explicit Layout(Size size) : unit(std::min(std::max(size.height / 720.0, 0.6), size.width / 480.0)) {}
 };
 
+// Behind the bar's end: larger values have its last colour.
+void draw_arrow(Image& image, const LegendBar& bar, const Colour& colour) {
+  const int length = std::max(bar.height / 2, 2);
+  for (int i = 0; i < length; ++i) {
+    const double inset = 0.5 * bar.height * (i + 0.5) / length;
+    fill_rectangle(image, {1.0 * bar.left + bar.width + i, bar.top + inset, 1.0, bar.height - 2.0 * inset},
+                   {colour, 1.0});
+  }
+}
+
 }  // namespace
 
 LegendBar draw_legend(Image& image, const Font& font, ColourBy by, const ColourScale& scale) {
@@ -60,10 +70,13 @@ LegendBar draw_legend(Image& image, const Font& font, ColourBy by, const ColourS
                       layout.bar_width, layout.bar_height};
   for (int i = 0; i < bar.width; ++i)
     fill_rectangle(image, {1.0 * bar.left + i, 1.0 * bar.top, 1.0, 1.0 * bar.height},
-                   {scale.at((i + 0.5) / bar.width * scale.top), 1.0});
+                   {scale.at(scale.value_at((i + 0.5) / bar.width)), 1.0});
+  if (scale.open) draw_arrow(image, bar, scale.at(scale.top));
   const double baseline = bar.top + bar.height + layout.gap + line;
   for (const double share : {0.0, 0.5, 1.0}) {
-    const std::string number = fmt::format("{:.4g}", share * scale.top * words.factor);
+    const double value = scale.value_at(share) * words.factor;
+    const std::string number =
+        scale.steps == ColourSteps::log ? fmt::format("{:.2g}", value) : fmt::format("{:.4g}", value);
     // The outer numbers end flush with the bar.
     const double at = bar.left + share * (bar.width - font.width(number, layout.text_size));
     font.draw(image, {at, baseline}, number, layout.text_size, ink);

@@ -73,9 +73,10 @@ std::vector<GLuint> ball_triangles(int sides) {
 }
 
 Defines with_look(Defines defines, const Look& look) {
-  if (look.pattern != Pattern::plain)
+  if (look.colour_by != ColourBy::plain)
+    defines.emplace_back("PAINTED");
+  else if (look.pattern != Pattern::plain)
     defines.emplace_back(look.pattern == Pattern::checker ? "PATTERN 1" : "PATTERN 2");
-  if (look.colour_by != ColourBy::plain) defines.emplace_back("PAINTED");
   return defines;
 }
 

@@ -111,8 +111,8 @@ class Renderer::Drawing {
   SurfacePainter surface_;
   RodPainter rods_;
   BoxPainter boxes_;
-  std::optional<Backdrop> backdrop_;  // only where there is one
-  std::deque<Submitted> submitted_;   // and not fetched yet
+  Backdrop backdrop_;
+  std::deque<Submitted> submitted_;  // and not fetched yet
 };
 
 Renderer::Drawing::Drawing(const GlContext& context, const Look& look, const RenderSettings& settings,
@@ -127,10 +127,10 @@ Renderer::Drawing::Drawing(const GlContext& context, const Look& look, const Ren
       links_(link_painter(gl_, library_, defines_of(settings, look))),
       surface_(gl_, library_, look, defines_of(settings, look)),
       rods_(gl_, library_, defines_of(settings, look)),
-      boxes_(gl_, library_, defines_of(settings, look)) {
+      boxes_(gl_, library_, defines_of(settings, look)),
+      backdrop_(gl_, library_, settings.size, settings.transparent) {
   if (look.colour_by != ColourBy::plain) font_ = Font::load();
   if (look.shadows && settings.shadow_map_size > 0) shadow_map_.emplace(gl_, settings.shadow_map_size);
-  if (!settings.transparent) backdrop_.emplace(gl_, library_, settings.size);
 }
 
 void Renderer::Drawing::submit(const Geometry& geometry) {
@@ -143,13 +143,11 @@ void Renderer::Drawing::submit(const Geometry& geometry) {
 
   Submitted frame;
   frame.scale = geometry.scale;
-  if (backdrop_) {
-    const FrameBlock block = camera(geometry);
-    uniforms_.load(block);
-    frame.backdrop = backdrop_->lit(geometry, block);
-    if (const Region region = shadows_on_grounds(geometry); !region.empty())
-      frame.parts.push_back({region, one(backdrop_->shaded(geometry, region))});
-  }
+  const FrameBlock block = camera(geometry);
+  uniforms_.load(block);
+  if (!settings_.transparent) frame.backdrop = backdrop_.lit(geometry, block);
+  if (const Region region = shadows_on_grounds(geometry); !region.empty())
+    frame.parts.push_back({region, one(backdrop_.shaded(geometry, region))});
   if (const Region region = drawn_region(geometry, settings_.size); !region.empty())
     frame.parts.push_back({region, passes(geometry, region)});
   frame.done = gl_.fence(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
@@ -215,14 +213,15 @@ FrameBlock Renderer::Drawing::camera(const Geometry& geometry, const glm::vec2& 
 std::vector<Readback> Renderer::Drawing::passes(const Geometry& geometry, const Region& region) {
   // Edges of spheres and links are as smooth as there are samples, and only theirs are not the driver's.
   const bool shared = target_.samples() > 1 && !(geometry.spheres.empty() && geometry.links.empty());
-  const bool hidden = backdrop_ && std::ranges::any_of(geometry.grounds, [&](const GroundPatch& ground) {
-                        return may_hide(ground, geometry);
-                      });
+  const bool hidden =
+      !settings_.transparent && std::ranges::any_of(geometry.grounds, [&](const GroundPatch& ground) {
+        return may_hide(ground, geometry);
+      });
   std::vector<Readback> drawn;
   for (const glm::vec2& shift : shifts_of(settings_.samples / target_.samples())) {
     uniforms_.load(camera(geometry, shift));
     target_.begin(region, shared ? Alpha::share : Alpha::cover);
-    if (hidden) backdrop_->draw_depth(geometry);
+    if (hidden) backdrop_.draw_depth(geometry);
     draw_opaque(geometry);
     draw_lattice();
     drawn.push_back(target_.end());

@@ -183,6 +183,10 @@ struct Words<ColourBy> {
   static constexpr std::array<std::string_view, 5> list{"plain", "strain", "tension", "speed", "limit"};
 };
 template <>
+struct Words<ColourSteps> {
+  static constexpr std::array<std::string_view, 2> list{"linear", "log"};
+};
+template <>
 struct Words<MassShape> {
   static constexpr std::array<std::string_view, 2> list{"sphere", "box"};
 };

@@ -94,11 +94,28 @@ void keep_notes(const Node& document, const std::vector<Problem>& notes, const R
 }
 
 void check_camera(const Node& document, const Camera& camera, Reader& reader) {
-  if (camera.eye == camera.target)
+  if (camera.eye && camera.eye == camera.target)
     reader.plain(origin_of(document, {"camera", 0, "eye", {}, {}}),
                  "\"eye\" and \"target\" of [camera] are the same point");
   if (camera.up && camera.up->isZero(0.0))
     reader.plain(origin_of(document, {"camera", 0, "up", {}, {}}), "\"up\" of [camera] must not be zero");
+  if (camera.direction.isZero(0.0))
+    reader.plain(origin_of(document, {"camera", 0, "direction", {}, {}}),
+                 "\"direction\" of [camera] must not be zero");
+}
+
+void check_look(const Node& document, const Look& look, Reader& reader) {
+  const auto report = [&](const std::string& problem) {
+    reader.plain(origin_of(document, {"look", 0, "speed", {}, {}}), problem);
+  };
+  for (std::size_t i = 0; i < look.speed.size(); ++i) {
+    const auto& [time, speed] = look.speed[i];
+    if (!(speed >= 1e-3 && speed <= 1e3))
+      return report("a speed in \"speed\" of [look] must be from 0.001 to 1000, not " + toml_number(speed));
+    if (i > 0 && !(time > look.speed[i - 1][0]))
+      return report("times in \"speed\" of [look] must rise: " + toml_number(time) + " s comes after " +
+                    toml_number(look.speed[i - 1][0]) + " s");
+  }
 }
 
 void check_follow(const Node& document, const Scene& scene, Reader& reader) {
@@ -117,6 +134,7 @@ void build_scene(const Node& document, Scene& scene, Reader& reader) {
   Built built = build(scene.description);
   report_problems(document, built.problems, reader);
   check_camera(document, scene.camera, reader);
+  check_look(document, scene.look, reader);
   if (reader.count() > 0) return;
   scene.model = std::move(built.model);
   scene.start = std::move(built.start);

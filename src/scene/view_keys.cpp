@@ -13,13 +13,32 @@ Key<T> colour_key(std::string_view name, Colour T::*member, std::string_view hel
 
 Keys<Camera> camera_keys() {
   return {
-      key<Camera>(
-          "eye", &Camera::eye,
-          {.unit = "m", .range = between(-farther, farther), .help = "where the picture is taken from"}),
+      key<Camera>("eye", &Camera::eye,
+                  {.unit = "m",
+                   .range = between(-farther, farther),
+                   .fallback = "in `direction`, just so far that what there is to show is in view, whatever "
+                               "the picture's shape",
+                   .help = "where the picture is taken from"}),
       key<Camera>("target", &Camera::target,
-                  {.unit = "m", .range = between(-farther, farther), .help = "what is in the middle of it"}),
+                  {.unit = "m",
+                   .range = between(-farther, farther),
+                   .fallback = "the middle of what there is to show",
+                   .help = "what is in the middle of it"}),
+      key<Camera>("direction", &Camera::direction,
+                  {.range = between(-far, far),
+                   .help = "where the eye is, seen from what is shown, of any length but 0; of no effect "
+                           "where `eye` is given"}),
+      key<Camera>("show", &Camera::show,
+                  {.unit = "m",
+                   .range = between(-farther, farther),
+                   .fallback = "where the masses go, by a coarse look ahead",
+                   .help = "[lowest corner, highest corner] of a box that there is to show; with `follow`, "
+                           "as it is at the start"}),
       key<Camera>("field_of_view", &Camera::field_of_view,
-                  {.unit = "degrees", .range = between(1, 150), .help = "from the lower to the upper edge"}),
+                  {.unit = "degrees",
+                   .range = between(1, 150),
+                   .help = "from the lower to the upper edge; pictures narrower than 16:9 with a given `eye` "
+                           "see as far to the sides as those"}),
       key<Camera>("up", &Camera::up,
                   {.range = between(-far, far),
                    .fallback = "against gravity, or along y where there is none",
@@ -56,12 +75,15 @@ Keys<Look> look_keys() {
       key<Look>("colour_range", &Look::colour_range,
                 {.unit = "1, N or m/s",
                  .range = between(0, 1e15),
-                 .help = "strain, tension or speed at the top of the colour scale; 0: the largest in the "
-                         "frame"}),
+                 .help = "strain, tension or speed at the top of the colour scale; 0: what 98 % of all links "
+                         "(for speed, masses) stay below, in all pictures of a film, strip or comparison"}),
+      key<Look>("colour_steps", &Look::colour_steps,
+                {.help = "how values are spread over the colours; log: over three decades below the top"}),
       key<Look>("ground_height", &Look::ground_height,
                 {.unit = "m",
                  .range = between(-far, far),
-                 .fallback = "that of the plane, or zero without any",
+                 .fallback = "that of the plane; without any, zero, or below the lowest mass that is ever "
+                             "below that",
                  .help = "where, upwards, the level ground is drawn"}),
       key<Look>("mass_radius", &Look::mass_radius,
                 {.unit = "m", .range = between(0, far), .help = "0: 0.29 of the median link length"}),
@@ -76,6 +98,11 @@ Keys<Look> look_keys() {
       colour_key("surface_colour", &Look::surface_colour, "of the cloth's front"),
       colour_key("surface_back_colour", &Look::surface_back_colour, "of the cloth's back"),
       key<Look>("pattern", &Look::pattern, {.help = "how the cloth is painted"}),
+      key<Look>("speed", &Look::speed,
+                {.range = between(0, 1e6),
+                 .fallback = "1",
+                 .help = "[time in s, speed], …: from each time on so many of the scene's seconds pass in a "
+                         "second of film; 0.2 is slow motion"}),
       key<Look>("mass_shape", &Look::mass_shape,
                 {.help = "how masses are drawn; boxes show how each has turned with its links"}),
   };

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "base/abrupt_end.h"
+#include "frames/film_time.h"
 #include "frames/frame_selection.h"
 #include "frames/frames.h"
 #include "host/progress.h"
@@ -39,14 +40,15 @@ class Scratch {
   }};
 };
 
-RenderOutcome render_some(const Scene& scene, int frames, bool film, int cores, const StopTest& stop) {
+RenderOutcome render_some(Scene scene, int frames, bool film, int cores, const StopTest& stop) {
   const Scratch scratch;
   RenderRequest request;
   request.picture.render = render_settings_for(Quality::standard);
   request.cores = cores;
   request.folder = scratch.folder();
   if (film) request.film = scratch.folder() / "film.mp4";
-  request.selection = fmt::format("1-{}", std::min(frames, frame_count(scene.duration, request.rate)));
+  request.selection = fmt::format(
+      "1-{}", std::min(frames, frame_count(film_duration(scene.look, scene.duration), request.rate)));
   Progress quiet(stderr, ProgressStyle::none, "frames");
   const RenderOutcome outcome = render_frames({&scene, 1}, request, quiet, stop);
   if (outcome.stopped) stop_if_told(stop);

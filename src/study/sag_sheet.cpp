@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "frames/colouring.h"
+#include "model/measures.h"
+#include "render/camera.h"
+#include "render/camera_fit.h"
 #include "render/overlay.h"
 #include "render/text.h"
 
@@ -21,35 +23,27 @@ constexpr Colour paper{1.0, 1.0, 1.0}, ink{0.13, 0.15, 0.18}, faint_ink{0.38, 0.
 constexpr Colour exact_colour{0.0, 0.45, 0.70};
 // More links than this would hide the picture under the exact shape: then only sheets' borders are drawn.
 constexpr std::size_t most_lines = 400;
-constexpr double margin = 1.18;  // of the field of view to what must be seen
+constexpr double margin = 0.08;  // of each picture
 
 // A camera that looks along the scene's own line of sight and sees all states whole.
 Camera camera_for(const Scene& scene, const SagStudy& study, double aspect) {
-  const Vec3 back = (scene.camera.eye - scene.camera.target).normalized();
-  const Vec3 vertical = up_direction(scene.camera, scene.model);
-  const Vec3 level = vertical.cross(back);
-  const Vec3 right = level.norm() > 1e-6 ? Vec3(level.normalized()) : Vec3(upright_axes(vertical).col(0));
-  const Vec3 up = back.cross(right);
-  Vec3 least = Vec3::Constant(infinity), most = Vec3::Constant(-infinity);  // along right, up, back
+  const Vec3 up = up_direction(scene.camera, scene.model);
+  const Vec3 towards_eye = scene.camera.eye && scene.camera.target
+                               ? Vec3(*scene.camera.eye - *scene.camera.target)
+                               : scene.camera.direction;
+  CameraFit fit(sight_axes(towards_eye, up), scene.camera.field_of_view, aspect, margin);
   const auto include = [&](const State& state) {
-    for (std::size_t i = 0; i < state.position.size(); ++i) {
-      const Vec3 x = state.position.at(i);
-      const Vec3 seen(right.dot(x), up.dot(x), back.dot(x));
-      least = least.cwiseMin(seen);
-      most = most.cwiseMax(seen);
-    }
+    for (std::size_t i = 0; i < state.position.size(); ++i) fit.add(state.position.at(i), 0.0);
   };
   include(study.exact.state);
   for (const SagEntry& entry : study.entries)
     if (!entry.growing) include(entry.shape.state);
-  const Vec3 middle = 0.5 * (least + most), half = 0.5 * (most - least);
-  const double slope = std::tan(0.5 * scene.camera.field_of_view * std::numbers::pi / 180.0);
-  const double distance = half.z() + margin * std::max(half.y(), half.x() / aspect) / slope;
+  const CameraFit::Place place = fit.place(0.3 * scene_size(scene.model, scene.start));
   Camera camera;
   camera.field_of_view = scene.camera.field_of_view;
   camera.up = scene.camera.up;
-  camera.target = right * middle.x() + up * middle.y() + back * middle.z();
-  camera.eye = camera.target + back * distance;
+  camera.eye = place.eye;
+  camera.target = place.target;
   return camera;
 }
 

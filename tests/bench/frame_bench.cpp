@@ -12,6 +12,7 @@
 #include <string>
 
 #include "frames/painter.h"
+#include "frames/settled_view.h"
 #include "frames/simulation.h"
 #include "output/png.h"
 #include "scene/scene.h"
@@ -23,14 +24,17 @@ struct Subject {
   double time;  // s, at which there is much to see
 };
 
-taut::Scene scene_of(const Subject& subject) {
-  return taut::load_scene(std::filesystem::path(TAUT_SCENE_FOLDER) / (std::string(subject.scene) + ".toml"));
-}
-
 taut::PictureSettings standard() {
   taut::PictureSettings settings;
   settings.render = taut::render_settings_for(taut::Quality::standard);
   return settings;
+}
+
+taut::Scene scene_of(const Subject& subject) {
+  taut::Scene scene =
+      taut::load_scene(std::filesystem::path(TAUT_SCENE_FOLDER) / (std::string(subject.scene) + ".toml"));
+  taut::settle_views({&scene, 1}, standard().render.size);
+  return scene;
 }
 
 void shape(benchmark::State& run, Subject subject) {
@@ -70,7 +74,7 @@ void empty_picture(benchmark::State& run) {
   scene.look.masses = scene.look.links = scene.look.ground = scene.look.shadows = false;
   taut::Painter painter(scene, standard());
   for (auto round : run) {
-    scene.camera.eye.x() += 1e-3;
+    scene.camera.eye->x() += 1e-3;
     painter.submit(*painter.shape(scene.start));
     benchmark::DoNotOptimize(painter.fetch());
   }

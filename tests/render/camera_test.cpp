@@ -23,7 +23,7 @@ TEST(Camera, StaysWhereItIsPut) {
   const Built scene = row_of_masses({{0, 0, 0}, {1, 0, 0}});
   State later = scene.start;
   later.time = 7.0;
-  const Camera camera{.eye = {1, 2, 3}, .target = {0, 1, 0}, .field_of_view = 50.0, .follow = {}};
+  const Camera camera{.eye = Vec3(1, 2, 3), .target = Vec3(0, 1, 0), .field_of_view = 50.0, .follow = {}};
   const CameraPose pose = camera_pose(camera, scene.model, scene.start, later);
   expect_near({1, 2, 3}, pose.eye);
   expect_near({0, 1, 0}, pose.target);
@@ -34,7 +34,7 @@ TEST(Camera, OrbitsCounterClockwiseSeenFromAbove) {
   const Built scene = row_of_masses({{0, 0, 0}, {1, 0, 0}});
   State later = scene.start;
   later.time = 3.0;
-  const Camera camera{.eye = {1, 2, 4}, .target = {1, 1, 0}, .orbit = 30.0, .follow = {}};
+  const Camera camera{.eye = Vec3(1, 2, 4), .target = Vec3(1, 1, 0), .orbit = 30.0, .follow = {}};
   const CameraPose pose = camera_pose(camera, scene.model, scene.start, later);
   // A quarter turn takes +z to +x, seen from above (y towards the viewer) counter-clockwise.
   expect_near({5, 2, 0}, pose.eye);
@@ -46,7 +46,7 @@ TEST(Camera, OrbitsAboutTheAxisThatGravityPointsAlong) {
   scene.model.gravity = {0.0, 0.0, -9.81};
   State later = scene.start;
   later.time = 3.0;
-  const Camera camera{.eye = {4, 1, 2}, .target = {0, 1, 1}, .orbit = 30.0, .follow = {}};
+  const Camera camera{.eye = Vec3(4, 1, 2), .target = Vec3(0, 1, 1), .orbit = 30.0, .follow = {}};
   const CameraPose pose = camera_pose(camera, scene.model, scene.start, later);
   // A quarter turn takes +x to +y, seen from above (z towards the viewer) counter-clockwise.
   expect_near({0, 5, 2}, pose.eye);
@@ -80,7 +80,7 @@ TEST(Camera, FollowsAMassAsFarAsItHasMoved) {
   const Built scene = row_of_masses({{0, 0, 0}, {1, 0, 0}});
   State later = scene.start;
   later.position.set(1, {1.5, -2.0, 0.25});
-  const Camera camera{.eye = {0, 1, 5}, .target = {0, 1, 0}, .follow = "m1"};
+  const Camera camera{.eye = Vec3(0, 1, 5), .target = Vec3(0, 1, 0), .follow = "m1"};
   const CameraPose pose = camera_pose(camera, scene.model, scene.start, later);
   expect_near({0.5, -1.0, 5.25}, pose.eye);
   expect_near({0.5, -1.0, 0.25}, pose.target);
@@ -88,7 +88,7 @@ TEST(Camera, FollowsAMassAsFarAsItHasMoved) {
 
 TEST(Camera, CannotFollowAMassThatIsNotThere) {
   const Built scene = row_of_masses({{0, 0, 0}, {1, 0, 0}});
-  const Camera camera{.follow = "m9"};
+  const Camera camera{.eye = Vec3(0, 1, 5), .target = Vec3(0, 1, 0), .follow = "m9"};
   EXPECT_THROW(camera_pose(camera, scene.model, scene.start, scene.start), BadRequest);
 }
 

@@ -44,15 +44,15 @@ View plain_view() {
   view.look.surface = true;
   view.look.pattern = Pattern::checker;
   view.look.ground_height = 0.0;
-  view.camera.eye = {1.7, 2.1, 4.6};
-  view.camera.target = {0.0, 0.9, 0.0};
+  view.camera.eye = Vec3(1.7, 2.1, 4.6);
+  view.camera.target = Vec3(0.0, 0.9, 0.0);
   return view;
 }
 
 View moved(View view, const Move& move) {
   view.scene = moved(std::move(view.scene), move);
-  view.camera.eye = move.place(view.camera.eye);
-  view.camera.target = move.place(view.camera.target);
+  view.camera.eye = move.place(*view.camera.eye);
+  view.camera.target = move.place(*view.camera.target);
   view.look.ground_height = up_direction(view.camera, view.scene.model).dot(move.shift);
   return view;
 }

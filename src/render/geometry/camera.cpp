@@ -10,7 +10,6 @@
 #include "model/measures.h"
 
 namespace taut {
-namespace {
 
 Vec3 displacement(const std::string& name, const Model& model, const State& start, const State& now) {
   if (name.empty()) return Vec3::Zero();
@@ -21,19 +20,20 @@ Vec3 displacement(const std::string& name, const Model& model, const State& star
   return now.position.at(mass) - start.position.at(mass);
 }
 
-// The picture's right and top, and what points back at the eye, as columns.
-Eigen::Matrix3d sight_axes(const CameraPose& pose) {
-  const Vec3 back = (pose.eye - pose.target).normalized();
-  Vec3 right = pose.up.cross(back);
+Eigen::AngleAxisd orbit_turn(const Camera& camera, const Vec3& up, double time) {
+  return Eigen::AngleAxisd(camera.orbit * time * std::numbers::pi / 180.0, up);
+}
+
+Eigen::Matrix3d sight_axes(const Vec3& towards_eye, const Vec3& up) {
+  const Vec3 back = towards_eye.normalized();
+  Vec3 right = up.cross(back);
   // Straight up or down the vertical is no help: then the third of the upright axes points down the picture.
-  if (right.norm() < 1e-6) right = back.cross(upright_axes(pose.up).col(2));
+  if (right.norm() < 1e-6) right = back.cross(upright_axes(up).col(2));
   right.normalize();
   Eigen::Matrix3d axes;
   axes << right, back.cross(right), back;
   return axes;
 }
-
-}  // namespace
 
 Vec3 up_direction(const Camera& camera, const Model& model) {
   return camera.up ? Vec3(camera.up->stableNormalized()) : up_direction(model);
@@ -53,13 +53,13 @@ Eigen::Matrix3d upright_axes(const Vec3& up) {
 CameraPose camera_pose(const Camera& camera, const Model& model, const State& start, const State& now) {
   const Vec3 shift = displacement(camera.follow, model, start, now);
   const Vec3 up = up_direction(camera, model);
-  const Eigen::AngleAxisd turn(camera.orbit * now.time * std::numbers::pi / 180.0, up);
-  const Vec3 arm = turn * Vec3(camera.eye - camera.target);
-  return {camera.target + arm + shift, camera.target + shift, camera.field_of_view, up};
+  const Vec3 target = camera.target.value();
+  const Vec3 arm = orbit_turn(camera, up, now.time) * Vec3(camera.eye.value() - target);
+  return {target + arm + shift, target + shift, camera.field_of_view, up};
 }
 
 glm::mat4 view_matrix(const CameraPose& pose, const PictureSpace& space) {
-  const Eigen::Matrix3d axes = sight_axes(pose);
+  const Eigen::Matrix3d axes = sight_axes(pose.eye - pose.target, pose.up);
   glm::mat4 matrix(1.0F);
   for (int row = 0; row < 3; ++row) {
     const glm::vec3 axis = to_glm(space.direction(axes.col(row)));
@@ -77,7 +77,7 @@ glm::mat4 flipped_projection(const CameraPose& pose, Size size, float near, floa
 }
 
 Vec3 picture_position(const CameraPose& pose, int width, int height, const Vec3& point) {
-  const Vec3 seen = sight_axes(pose).transpose() * (point - pose.eye);
+  const Vec3 seen = sight_axes(pose.eye - pose.target, pose.up).transpose() * (point - pose.eye);
   const double depth = -seen.z();
   // Pixels for one metre at one metre's distance.
   const double scale = 0.5 * height / std::tan(0.5 * pose.field_of_view * std::numbers::pi / 180.0);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <span>
 
+#include "render/colour_range.h"
+
 namespace taut {
 namespace {
 
@@ -14,6 +16,9 @@ constexpr std::array<Colour, 6> for_light_backgrounds{Colour{0.13, 0.09, 0.42}, 
 constexpr std::array<Colour, 6> for_dark_backgrounds{Colour{0.24, 0.29, 0.54}, Colour{0.17, 0.44, 0.56},
                                                      Colour{0.13, 0.59, 0.55}, Colour{0.31, 0.73, 0.42},
                                                      Colour{0.66, 0.85, 0.22}, Colour{0.99, 0.91, 0.25}};
+
+// That a logarithmic scale shows.
+constexpr double decades = 3.0;
 
 Colour mix(const Colour& a, const Colour& b, double share) {
   return {std::lerp(a[0], b[0], share), std::lerp(a[1], b[1], share), std::lerp(a[2], b[2], share)};
@@ -106,36 +111,28 @@ Quantity quantity(const Model& model, const State& state, ColourBy by) {
   return result;
 }
 
+double ColourScale::value_at(double share) const {
+  return steps == ColourSteps::log ? top * std::pow(10.0, decades * (share - 1.0)) : share * top;
+}
+
 Colour ColourScale::at(double value) const {
   const std::span<const Colour> stops = theme == Theme::dark ? for_dark_backgrounds : for_light_backgrounds;
-  const double share = top > 0.0 && value > 0.0 ? std::min(value / top, 1.0) : 0.0;
-  const double place = share * static_cast<double>(stops.size() - 1);
+  double share = top > 0.0 && value > 0.0 ? value / top : 0.0;
+  if (steps == ColourSteps::log && share > 0.0) share = 1.0 + std::log10(share) / decades;
+  const double place = std::clamp(share, 0.0, 1.0) * static_cast<double>(stops.size() - 1);
   const std::size_t below = std::min(static_cast<std::size_t>(place), stops.size() - 2);
   return mix(stops[below], stops[below + 1], place - static_cast<double>(below));
 }
 
-ColourScale colour_scale(const Look& look, const Model& model, const State& state, const Quantity& quantity) {
-  if (look.colour_range > 0.0) return {look.colour_range, look.theme};
-  if (look.colour_by == ColourBy::limit) return {1.0, look.theme};
-  double largest = 0.0;
-  for (std::size_t link = 0; link < quantity.of_link.size(); ++link) {
-    if (!state.broken(link)) largest = std::max(largest, quantity.of_link[link]);
+ColourScale colour_scale(const Look& look, const Model& model, const State& state) {
+  if (look.colour_by == ColourBy::limit) return {1.0, look.theme, ColourSteps::linear, false};
+  double top = look.colour_range;
+  if (!(top > 0.0)) {
+    ColourRange range(look.colour_by);
+    range.add(model, state);
+    top = range.top();
   }
-  if (look.colour_by == ColourBy::speed) {
-    for (std::size_t mass = 0; mass < model.masses.size(); ++mass) {
-      largest = std::max(largest, quantity.of_mass[mass]);
-    }
-  }
-  return {round_number_above(largest), look.theme};
-}
-
-double round_number_above(double value) {
-  if (!(value > 0.0) || !std::isfinite(value)) return 1.0;
-  const double decade = std::pow(10.0, std::floor(std::log10(value)));
-  for (const double step : {1.0, 2.0, 5.0}) {
-    if (value <= step * decade * (1.0 + 1e-9)) return step * decade;
-  }
-  return 10.0 * decade;
+  return {top, look.theme, look.colour_steps, true};
 }
 
 }  // namespace taut

@@ -22,18 +22,20 @@ struct Quantity {
 
 Quantity quantity(const Model& model, const State& state, ColourBy by);
 
-/// A perceptual colour map from 0 to `top`: equal steps of value look like equal steps of lightness.
+/// A perceptual colour map up to `top`: equal steps of value, or of its logarithm, look like equal steps of
+/// lightness.
 struct ColourScale {
   double top = 1.0;
   Theme theme = Theme::light;
+  ColourSteps steps = ColourSteps::linear;
+  bool open = true;  ///< whether there may be values above the top
 
   Colour at(double value) const;
+  /// The value at a share of the way to the top.
+  double value_at(double share) const;
 };
 
-/// The scale of a look: its own range, or the next round number above the frame's largest value.
-ColourScale colour_scale(const Look& look, const Model& model, const State& state, const Quantity& quantity);
-
-/// The next of …, 1, 2, 5, 10, … at or above a value; 1 for values that aren't positive.
-double round_number_above(double value);
+/// The scale of a look: its own range, or where that is open, that of the one state.
+ColourScale colour_scale(const Look& look, const Model& model, const State& state);
 
 }  // namespace taut

@@ -56,7 +56,7 @@ std::shared_ptr<const Geometry> GeometryMaker::make(const State& state, const Ca
 
   const auto geometry = std::make_shared<Geometry>();
   geometry->pose = pose;
-  geometry->scale = colour_scale(look, model, state, values);
+  if (look.colour_by != ColourBy::plain) geometry->scale = colour_scale(look, model, state);
   geometry->spheres = sphere_records(model, seen, look, radii, values, geometry->scale);
   geometry->links = link_records(model, seen, look, radii, values, geometry->scale);
   if (parts_->has_surface()) {

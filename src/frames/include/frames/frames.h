@@ -52,17 +52,17 @@ struct RenderOutcome {
   std::vector<PanelOutcome> panels;  ///< one a panel; empty when nothing was simulated
   StageSeconds stages;               ///< empty when nothing was simulated
   std::string drawn_by;  ///< what drew (GlContext::description()); empty when nothing was simulated
-  /// What is odd about the pictures, from the first that is (ground_note.h).
+  /// What is odd about the pictures, see picture_notes.h.
   std::optional<std::string> note;
 };
 
 /// Renders a scene to frames and a film, run in one way, or in several ways side by side: `scenes` differ in
-/// method and settings alone. Where one of several fails, its picture stays as it was, and says so.
-/// Every stage (stage_times.h) runs in a thread of its own, with a few frames between them, so that memory
-/// doesn't grow with the film's length. What is there already from the
-/// same inputs is kept. Throws BadRequest and OutputConflict before anything is written, RunFailure for
-/// everything later (frames made until then stay, a film does not).
-RenderOutcome render_frames(std::span<const Scene> scenes, const RenderRequest& request, Progress& progress,
+/// method and settings alone. What they leave open of their view is settled in them (settled_view.h). Where
+/// one of several fails, its picture stays as it was, and says so. Every stage (stage_times.h) runs in a
+/// thread of its own, with a few frames between them, so that memory doesn't grow with the film's length.
+/// What is there already from the same inputs is kept. Throws BadRequest and OutputConflict before anything
+/// is written, RunFailure for everything later (frames made until then stay, a film does not).
+RenderOutcome render_frames(std::span<Scene> scenes, const RenderRequest& request, Progress& progress,
                             const StopTest& stop = {});
 
 }  // namespace taut

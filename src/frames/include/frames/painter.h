@@ -18,6 +18,10 @@ struct PictureSettings {
   RenderSettings render;
   GlChoice gl;
   std::filesystem::path shader_folder;  ///< takes the place of the built-in shaders; empty: those
+  bool captions = false;  ///< whether each picture has a caption (captions.h), as a part of its size
+
+  /// What of a picture's size is drawn by the renderer.
+  Size drawn_size() const;
 };
 
 /// Throws BadRequest for a size that is not from 16 to 16384 pixels each way.
@@ -29,7 +33,8 @@ std::string settings_text(const PictureSettings& settings);
 /// Draws the states of one scene. Each step may run in a thread of its own, one at a time in each.
 class Painter {
  public:
-  /// Refers to the scene from then on. Throws RunFailure when there is no way to draw.
+  /// Refers to the scene, whose view is settled, from then on. Throws RunFailure when there is no way to
+  /// draw.
   Painter(const Scene& scene, const PictureSettings& settings);
   ~Painter();
   Painter(const Painter&) = delete;

@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/vectors.h"
 
@@ -14,6 +15,9 @@ using Colour = std::array<double, 3>;
 /// What links (masses for speed, joints for limit) are coloured by. limit: how near a joint is to a stop, 1
 /// at it.
 enum class ColourBy { plain, strain, tension, speed, limit };
+
+/// How values are spread over the colours: evenly, or by their logarithm over three decades.
+enum class ColourSteps { linear, log };
 
 /// How masses are drawn; boxes show how each has turned.
 enum class MassShape { sphere, box };
@@ -34,8 +38,9 @@ struct Look {
   bool colliders = true;  ///< solids, but for planes
   Theme theme = Theme::light;
   ColourBy colour_by = ColourBy::plain;
-  double colour_range =
-      0.0;  ///< value at the top of the colour scale (strain: 1, tension: N, speed: m/s); 0: from the frame
+  ColourSteps colour_steps = ColourSteps::linear;
+  double colour_range = 0.0;  ///< value at the top of the colour scale (strain: 1, tension: N, speed: m/s);
+                              ///< 0: settled before anything is drawn (frames/settled_colours.h)
   std::optional<double> ground_height;  ///< m, upwards; left out: the plane's own, or 0 without any
   double mass_radius = 0.0;             ///< m; 0: 0.29 of the median link length
   double link_radius = 0.0;             ///< m; 0: 0.42 of the mass radius
@@ -46,15 +51,22 @@ struct Look {
   Colour surface_back_colour{0.42, 0.10, 0.13};
   Pattern pattern = Pattern::plain;
   MassShape mass_shape = MassShape::sphere;
+  /// From a time of the scene (s) on, how many of its seconds pass in one of the film; rising times. Before
+  /// the first it is 1.
+  std::vector<std::array<double, 2>> speed;
   Colour bone_colour{0.86, 0.74, 0.60};
   Colour collider_colour{0.62, 0.64, 0.67};
 };
 
-/// Where the picture is taken from.
+/// Where the picture is taken from. What is left out is settled before anything is drawn, so that all of the
+/// motion is in view (frames/settled_view.h).
 struct Camera {
-  Vec3 eye{0.0, 1.0, 5.0};      ///< m
-  Vec3 target{0.0, 1.0, 0.0};   ///< m
-  double field_of_view = 38.0;  ///< degrees, vertical
+  std::optional<Vec3> eye = std::nullopt;     ///< m
+  std::optional<Vec3> target = std::nullopt;  ///< m
+  Vec3 direction{0.3, 0.12, 1.0};             ///< from what is shown towards an eye that is left out
+  std::optional<std::array<Vec3, 2>> show =
+      std::nullopt;             ///< m, corners of a box to keep in view; left out: where the masses will be
+  double field_of_view = 38.0;  ///< degrees, vertical, in pictures as wide as 16:9 or wider
   std::optional<Vec3> up =
       std::nullopt;    ///< any length but 0; left out: against gravity, or y where there is none
   double orbit = 0.0;  ///< degrees per second about the vertical through the target

@@ -1,7 +1,8 @@
-#include "frames/ground_note.h"
+#include "frames/picture_notes.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string_view>
@@ -20,6 +21,18 @@ std::string place_of(const Ground& ground) {
     if (std::abs(ground.normal[axis]) == 1.0)
       return fmt::format("{} = {:.6g}", names[static_cast<std::size_t>(axis)], ground.point[axis] + 0.0);
   return fmt::format("height {:.6g} m", ground.normal.dot(ground.point));
+}
+
+std::size_t masses_outside(const Scene& scene, Size size, const State& state) {
+  const CameraPose pose = camera_pose(scene.camera, scene.model, scene.start, state);
+  std::size_t outside = 0;
+  for (std::size_t i = 0; i < state.position.size(); ++i) {
+    const Vec3 at = picture_position(pose, size.width, size.height, state.position.at(i));
+    const bool inside =
+        at.z() > 0.0 && at.x() >= 0.0 && at.x() <= size.width && at.y() >= 0.0 && at.y() <= size.height;
+    if (!inside) ++outside;
+  }
+  return outside;
 }
 
 }  // namespace
@@ -41,6 +54,27 @@ std::optional<std::string> ground_note(const Scene& scene, const State& state) {
           state.time, below, state.position.size(), below == 1 ? "is" : "are", place_of(ground));
   }
   return std::nullopt;
+}
+
+void PictureNotes::see(const Scene& scene, Size size, bool ground, const State& state) {
+  if (ground && !ground_) ground_ = ground_note(scene, state);
+  const std::size_t outside = masses_outside(scene, size, state);
+  masses_ = state.position.size();
+  least_out_ = seen_any_ ? std::min(least_out_, outside) : outside;
+  seen_any_ = true;
+  if (outside > 0 && most_out_ == 0) out_since_ = state.time;
+  most_out_ = std::max(most_out_, outside);
+}
+
+std::optional<std::string> PictureNotes::text() const {
+  if (most_out_ == 0) return ground_;
+  const std::string cure = "leave out camera.eye, or let camera.show be a box around all";
+  const std::string outside =
+      least_out_ == masses_
+          ? fmt::format("nothing is in view: all masses are outside the picture; {}", cure)
+          : fmt::format("from {:.4g} s on up to {} of {} masses are outside the picture; {}", out_since_,
+                        most_out_, masses_, cure);
+  return ground_ ? fmt::format("{}; {}", *ground_, outside) : outside;
 }
 
 }  // namespace taut

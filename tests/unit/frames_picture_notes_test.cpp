@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "frames/ground_note.h"
+#include "frames/picture_notes.h"
 #include "render/ground.h"
 
 namespace taut {
@@ -13,7 +13,7 @@ namespace {
 
 // A mass on a string, and what else the scene has.
 Scene scene_with(const std::string& more) {
-  return parse_scene(R"(
+  Scene scene = parse_scene(R"(
 [[mass]]
 name = "nail"
 position = [0, 1, 0]
@@ -25,7 +25,10 @@ position = [0, 0.5, 0]
 a = "nail"
 b = "bob"
 )" + more,
-                     "bob.toml");
+                            "bob.toml");
+  if (!scene.camera.eye) scene.camera.eye = Vec3(0, 1, 5);
+  scene.camera.target = Vec3(0, 1, 0);
+  return scene;
 }
 
 std::optional<std::string> note_at(const Scene& scene, const Vec3& bob) {

@@ -1,0 +1,45 @@
+#include "look_ahead.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "base/failure.h"
+#include "methods/registry.h"
+#include "motion/run.h"
+
+namespace taut {
+namespace {
+
+constexpr int moments = 300;
+// Links and limits looked at, all steps together: about a fourth of a second.
+constexpr double most_work = 5e7;
+constexpr double fewest_coarse_steps = 120.0, most_coarse_steps = 1200.0;  // per second
+
+// The method that knows all that a scene can say, with as many steps as the work allows.
+Settings coarse_settings(const Scene& scene) {
+  const double a_step = static_cast<double>(scene.model.links.size() + scene.model.limits.size() * 4 +
+                                            scene.model.masses.size());
+  const double steps = std::clamp(most_work / (scene.duration * std::max(a_step, 1.0)), fewest_coarse_steps,
+                                  most_coarse_steps);
+  return complete_settings({"xpbd", {{"steps_per_second", std::round(steps)}}});
+}
+
+}  // namespace
+
+void look_ahead(const Scene& scene, const StopTest& stop, const std::function<void(const State&)>& see) {
+  see(scene.start);
+  try {
+    Run run(scene.model, scene.start, coarse_settings(scene));
+    for (int moment = 1; moment <= moments; ++moment) {
+      const std::optional<State> state = run.at(scene.duration * moment / moments, stop);
+      if (run.ended()) return;
+      if (!state) throw Interrupted();
+      see(*state);
+    }
+  } catch (const BadRequest&) {
+    // What the method can't do leaves the start.
+  }
+}
+
+}  // namespace taut
