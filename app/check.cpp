@@ -13,6 +13,7 @@
 #include "explain.h"
 #include "flags.h"
 #include "frames/colouring.h"
+#include "frames/exact_shape.h"
 #include "frames/simulation.h"
 #include "interrupted.h"
 #include "measure/expectation.h"
@@ -126,6 +127,7 @@ Verdict check_scene(const std::string& argument, const CheckFlags& flags, int th
     Scene scene = load(argument, flags.changes.overrides());
     const std::optional<Plan> plan = settle_method(scene, {}, flags.changes.method, flags.quiet, stop);
     require_colours(scene);
+    require_exact(scene);
     print_notes(scene, flags.quiet);
     describe(scene, verdict.json);
     if (plan) verdict.json["plan"] = plan_to_json(*plan);

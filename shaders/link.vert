@@ -2,9 +2,9 @@
 // A ribbon for each link, turned towards the eye.
 #include "lighting.glsl"
 
-layout(location = 0) in vec4 start;  // xyz: m, w: radius (m)
-layout(location = 1) in vec3 end;    // m
-layout(location = 2) in vec4 colour;
+layout(location = 0) in vec4 start;   // xyz: m, w: radius (m)
+layout(location = 1) in vec3 end;     // m
+layout(location = 2) in vec4 colour;  // as displayed; a: the share of its width that is not see-through
 
 flat out vec3 albedo;
 flat out float reaching;
@@ -26,7 +26,7 @@ void main() {
   // Thinner than a pixel a ribbon would break into dashes: it stays a pixel wide and grows faint instead.
   float least = 0.55 * view.x * max(dot(position - eye.xyz, forward.xyz), 0.0);
   float half_width = max(radius, least);
-  fade = radius / half_width;
+  fade = colour.a * radius / half_width;
   offset = side;
 
   albedo = linear_from_display(colour.rgb);

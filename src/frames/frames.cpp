@@ -170,8 +170,8 @@ void Pipeline::shape(PanelPainter& painter) {
       stopped_ = true;
       continue;
     }
-    std::vector<const State*> states;
-    for (const PanelState& panel : posed->panels) states.push_back(&panel.state);
+    std::vector<Pose> states;
+    for (const PanelState& panel : posed->panels) states.push_back({&panel.state, panel.trails.get()});
     Shaped shaped{posed->frame, std::move(posed->hash), {}, std::move(posed->captions)};
     shaped.shapes = clock_.time(Stage::shape, [&] { return painter.shape(states); });
     if (!shaped_.push(std::move(shaped))) return;

@@ -11,6 +11,7 @@
 #include "base/failure.h"
 #include "base/hash.h"
 #include "frames/captions.h"
+#include "frames/exact_shape.h"
 #include "render/camera.h"
 
 namespace taut {
@@ -67,7 +68,7 @@ struct Painter::Tools {
 
   Tools(std::unique_ptr<GlContext> made, const Scene& scene, const PictureSettings& settings)
       : context(std::move(made)),
-        maker(scene.model, scene.start, scene.look),
+        maker(scene.model, scene.start, scene.look, exact_shape(scene)),
         renderer(*context, scene.look, drawn(settings), settings.shader_folder) {}
 };
 
@@ -76,8 +77,10 @@ Painter::Painter(const Scene& scene, const PictureSettings& settings)
 
 Painter::~Painter() = default;
 
-std::shared_ptr<const Geometry> Painter::shape(const State& state) {
-  return tools_->maker.make(state, camera_pose(scene_.camera, scene_.model, scene_.start, state));
+std::shared_ptr<const Geometry> Painter::shape(const Pose& pose) {
+  const State& state = *pose.state;
+  return tools_->maker.make(state, camera_pose(scene_.camera, scene_.model, scene_.start, state),
+                            pose.trails);
 }
 
 void Painter::submit(const Geometry& geometry) {
@@ -88,8 +91,8 @@ std::shared_ptr<const Layers> Painter::fetch() {
   return tools_->renderer.fetch();
 }
 
-Image Painter::draw(const State& state) {
-  submit(*shape(state));
+Image Painter::draw(const State& state, const Trails* trails) {
+  submit(*shape({&state, trails}));
   return flatten(*fetch());
 }
 

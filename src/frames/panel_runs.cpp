@@ -40,7 +40,7 @@ PanelRuns::PanelRuns(std::span<const Scene> scenes, const Execution& execution) 
       if (scenes.size() == 1) throw;
       throw BadRequest(fmt::format("the panel of {}: {}", panel_title(scene), refusal.what()));
     }
-    panels_.push_back({scene.start, {}});
+    panels_.push_back({scene.start, {}, {}});
   }
 }
 
@@ -49,11 +49,13 @@ std::optional<std::vector<PanelState>> PanelRuns::at(double time, const StopTest
     std::optional<State> state = simulations_.front().at(time, stop);
     if (!state) return std::nullopt;
     panels_.front().state = *std::move(state);
+    panels_.front().trails = simulations_.front().trails(panels_.front().state);
     return panels_;
   }
   for (std::size_t i = 0; i < panels_.size(); ++i) {
     if (!panels_[i].failure.empty()) continue;
     if (!move_on(panels_[i], [&] { return simulations_[i].at(time, stop); })) return std::nullopt;
+    panels_[i].trails = simulations_[i].trails(panels_[i].state);
   }
   return panels_;
 }

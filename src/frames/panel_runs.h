@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -16,6 +17,7 @@ namespace taut {
 struct PanelState {
   State state;
   std::string failure;  ///< why it went no further; the state is then that of the moment before; empty else
+  std::shared_ptr<const Trails> trails{};  ///< up to the state; null where the look shows none
 };
 
 /// Moves a panel that hasn't failed on to the state that `next` gives; where that throws, whatever it is, the

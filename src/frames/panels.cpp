@@ -77,9 +77,9 @@ std::string PanelPainter::drawn_by() const {
   return painter_of_.front()->drawn_by();
 }
 
-PanelPainter::Shapes PanelPainter::shape(std::span<const State* const> states) {
+PanelPainter::Shapes PanelPainter::shape(std::span<const Pose> poses) {
   Shapes shapes;
-  for (std::size_t i = 0; i < states.size(); ++i) shapes.push_back(painter_of_[i]->shape(*states[i]));
+  for (std::size_t i = 0; i < poses.size(); ++i) shapes.push_back(painter_of_[i]->shape(poses[i]));
   return shapes;
 }
 

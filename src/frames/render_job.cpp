@@ -9,6 +9,7 @@
 #include "base/failure.h"
 #include "base/hash.h"
 #include "frames/colouring.h"
+#include "frames/exact_shape.h"
 #include "frames/film_time.h"
 #include "frames/frame_selection.h"
 #include "frames/panels.h"
@@ -102,6 +103,7 @@ RenderJob make_render_job(std::span<const Scene> scenes, const RenderRequest& re
   // Of several methods those that don't know what their panels are to be coloured by stay plain.
   if (std::ranges::none_of(scenes, [](const Scene& scene) { return colour_problem(scene).empty(); }))
     require_colours(scenes.front());
+  require_exact(scenes.front());
   check_size(request.picture.render.size);
   check_size(sheet_size(request.picture.render.size, scenes.size()));
   RenderJob job;

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "base/failure.h"
 #include "frames/captions.h"
 #include "frames/colouring.h"
+#include "frames/exact_shape.h"
 #include "frames/panels.h"
 #include "frames/picture_notes.h"
 #include "frames/settled_colours.h"
@@ -58,6 +60,7 @@ std::optional<std::string> make_strip(Scene& scene, const std::vector<double>& t
                                       const PictureSettings& settings, const std::filesystem::path& file,
                                       const Execution& execution, const StopTest& stop) {
   require_colours(scene);
+  require_exact(scene);
   check_size(settings.render.size);
   check_times(scene, times);
   const SheetGrid grid{settings.render.size, static_cast<int>(times.size()), 1};
@@ -67,19 +70,21 @@ std::optional<std::string> make_strip(Scene& scene, const std::vector<double>& t
   settle_views({&scene, 1}, settings.drawn_size(), stop);
   std::vector<State> states;
   std::vector<Caption> captions;
+  std::vector<std::shared_ptr<const Trails>> trails;
   PictureNotes notes;
   for (const double time : times) {
     std::optional<State> state = simulation.at(time, stop);
     if (!state) throw Interrupted();
     notes.see(scene, settings.drawn_size(), !settings.render.transparent, *state);
     captions.push_back(strip_caption(scene, simulation, *state, states.size(), times.size()));
+    trails.push_back(simulation.trails(*state));
     states.push_back(*std::move(state));
   }
   settle_colours(scene, states);
   Painter painter(scene, settings);
   std::vector<Image> pictures;
-  for (const State& state : states) {
-    pictures.push_back(painter.draw(state));
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    pictures.push_back(painter.draw(states[i], trails[i].get()));
     stop_if_told(stop);
   }
   const std::optional<CaptionWriter> writer =

@@ -101,12 +101,12 @@ class SheetLinks {
 
   // A link from every mass to the one (rows, columns) on, where there is one; its length is that of the flat
   // cloth.
-  void add_family(int rows, int columns, const LinkProperties& properties) {
+  void add_family(int rows, int columns, const LinkProperties& properties, LinkFamily family) {
     const double length = (rows * along_column_ + columns * along_row_).norm();
     for (int row = 0; row + rows < spec_.rows; ++row)
       for (int column = std::max(0, -columns); column + std::max(0, columns) < spec_.columns; ++column) {
         const Index a = mass(row, column), b = mass(row + rows, column + columns);
-        by_ends_[{a, b}] = builder_.add_link(a, b, length, properties);
+        by_ends_[{a, b}] = builder_.add_link(a, b, length, properties, family);
       }
   }
 
@@ -148,15 +148,15 @@ void add_sheet(Builder& builder, const SheetSpec& spec) {
   add_masses(builder, spec);
 
   SheetLinks links(builder, spec, sheet.first_mass);
-  links.add_family(0, 1, spec.properties);
-  links.add_family(1, 0, spec.properties);
+  links.add_family(0, 1, spec.properties, LinkFamily::structural);
+  links.add_family(1, 0, spec.properties, LinkFamily::structural);
   if (spec.diagonals) {
-    links.add_family(1, 1, *spec.diagonals);
-    links.add_family(1, -1, *spec.diagonals);
+    links.add_family(1, 1, *spec.diagonals, LinkFamily::diagonals);
+    links.add_family(1, -1, *spec.diagonals, LinkFamily::diagonals);
   }
   if (spec.skip_one) {
-    links.add_family(0, 2, *spec.skip_one);
-    links.add_family(2, 0, *spec.skip_one);
+    links.add_family(0, 2, *spec.skip_one, LinkFamily::skip_one);
+    links.add_family(2, 0, *spec.skip_one, LinkFamily::skip_one);
   }
   for (int row = 0; row + 1 < spec.rows; ++row)
     for (int column = 0; column + 1 < spec.columns; ++column) {

@@ -17,10 +17,12 @@ Index Builder::add_mass(std::string name, const Vec3& position, const Vec3& velo
   return index;
 }
 
-Index Builder::add_link(Index a, Index b, double length, const LinkProperties& properties) {
+Index Builder::add_link(Index a, Index b, double length, const LinkProperties& properties,
+                        LinkFamily family) {
   const auto index = static_cast<Index>(model.links.size());
   model.links.a.push_back(a);
   model.links.b.push_back(b);
+  model.links.family.push_back(family);
   model.links.length.push_back(length);
   model.links.stiffness.push_back(properties.stiffness.value_or(infinity));
   model.links.damping.push_back(properties.damping);

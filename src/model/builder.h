@@ -25,7 +25,8 @@ class Builder {
   Index add_mass(std::string name, const Vec3& position, const Vec3& velocity, double mass, bool pinned,
                  double radius = 0.0);
   /// Adds a link and returns its index.
-  Index add_link(Index a, Index b, double length, const LinkProperties& properties);
+  Index add_link(Index a, Index b, double length, const LinkProperties& properties,
+                 LinkFamily family = LinkFamily::structural);
   /// Adds a bone, which touches what there is to touch in place of the masses at its ends.
   void add_bone(const Bone& bone);
   /// Drives a pinned mass, which is put where the motion begins; a spec that names no motion does nothing.

@@ -12,6 +12,7 @@
 #include "geometry/region.h"
 #include "gl/frame_uniforms.h"
 #include "layers.h"
+#include "lines_painter.h"
 #include "painters.h"
 
 namespace taut {
@@ -111,6 +112,7 @@ class Renderer::Drawing {
   SurfacePainter surface_;
   RodPainter rods_;
   BoxPainter boxes_;
+  LinesPainter lines_;
   Backdrop backdrop_;
   std::deque<Submitted> submitted_;  // and not fetched yet
 };
@@ -128,6 +130,7 @@ Renderer::Drawing::Drawing(const GlContext& context, const Look& look, const Ren
       surface_(gl_, library_, look, defines_of(settings, look)),
       rods_(gl_, library_, defines_of(settings, look)),
       boxes_(gl_, library_, defines_of(settings, look)),
+      lines_(gl_, library_, defines_of(settings, look)),
       backdrop_(gl_, library_, settings.size, settings.transparent) {
   if (look.colour_by != ColourBy::plain) font_ = Font::load();
   if (look.shadows && settings.shadow_map_size > 0) shadow_map_.emplace(gl_, settings.shadow_map_size);
@@ -177,6 +180,7 @@ void Renderer::Drawing::upload(const Geometry& geometry) {
   if (geometry.surface.indices) surface_.upload(geometry.surface);
   rods_.upload(geometry.bodies.rods, pixel_height(geometry.pose, settings_.size));
   boxes_.upload(geometry.bodies.boxes);
+  lines_.upload(geometry.lines, pixel_height(geometry.pose, settings_.size));
 }
 
 void Renderer::Drawing::draw_shadow_map(const Geometry& geometry) {
@@ -190,6 +194,7 @@ void Renderer::Drawing::draw_shadow_map(const Geometry& geometry) {
   if (geometry.surface.vertices.empty()) {
     spheres_.draw(Pass::shadow);
     links_.draw(Pass::shadow);
+    lines_.draw_shadows();
   } else {
     surface_.draw(Pass::shadow);
   }
@@ -212,7 +217,8 @@ FrameBlock Renderer::Drawing::camera(const Geometry& geometry, const glm::vec2& 
 
 std::vector<Readback> Renderer::Drawing::passes(const Geometry& geometry, const Region& region) {
   // Edges of spheres and links are as smooth as there are samples, and only theirs are not the driver's.
-  const bool shared = target_.samples() > 1 && !(geometry.spheres.empty() && geometry.links.empty());
+  const bool shared = target_.samples() > 1 &&
+                      !(geometry.spheres.empty() && geometry.links.empty() && geometry.lines.empty());
   const bool hidden =
       !settings_.transparent && std::ranges::any_of(geometry.grounds, [&](const GroundPatch& ground) {
         return may_hide(ground, geometry);
@@ -234,6 +240,7 @@ void Renderer::Drawing::draw_opaque(const Geometry& geometry) const {
   gl_.enable(GL_CULL_FACE);
   rods_.draw(Pass::colour);
   boxes_.draw(Pass::colour);
+  lines_.draw_solid();
   gl_.disable(GL_CULL_FACE);
 }
 
@@ -241,6 +248,7 @@ void Renderer::Drawing::draw_lattice() const {
   if (target_.samples() > 1) gl_.enable(GL_SAMPLE_ALPHA_TO_COVERAGE);
   spheres_.draw(Pass::colour);
   links_.draw(Pass::colour);
+  lines_.draw_ribbons();
   gl_.disable(GL_SAMPLE_ALPHA_TO_COVERAGE);
 }
 

@@ -191,6 +191,10 @@ struct Words<MassShape> {
   static constexpr std::array<std::string_view, 2> list{"sphere", "box"};
 };
 template <>
+struct Words<LinkShape> {
+  static constexpr std::array<std::string_view, 3> list{"rod", "rope", "chain"};
+};
+template <>
 struct Words<Theme> {
   static constexpr std::array<std::string_view, 2> list{"light", "dark"};
 };

@@ -128,6 +128,16 @@ void check_follow(const Node& document, const Scene& scene, Reader& reader) {
                did_you_mean(nearest_name(follow, candidates)));
 }
 
+void check_trails(const Node& document, const Scene& scene, Reader& reader) {
+  const std::vector<std::string>& names = scene.model.masses.name;
+  const std::vector<std::string_view> candidates(names.begin(), names.end());
+  for (const std::string& trail : scene.look.trails)
+    if (std::ranges::find(names, trail) == names.end())
+      reader.plain(origin_of(document, {"look", 0, "trails", {}, {}}),
+                   fmt::format("\"trails\" names no mass: {}", in_quotes(trail)),
+                   did_you_mean(nearest_name(trail, candidates)));
+}
+
 // Makes the model; reports what is wrong with the entries as they stand to one another. What needs a model
 // is checked only when there is one to trust.
 void build_scene(const Node& document, Scene& scene, Reader& reader) {
@@ -142,6 +152,7 @@ void build_scene(const Node& document, Scene& scene, Reader& reader) {
     reader.plain({}, "the scene has no masses: it needs a [[chain]], a [[sheet]] or a [[mass]]");
   keep_notes(document, built.notes, reader, scene);
   check_follow(document, scene, reader);
+  check_trails(document, scene, reader);
   scene.settings = complete_settings(scene.settings);
   for (const std::string& problem : capability_problems(scene.model, *find_method(scene.settings.method)))
     reader.plain(origin_of(document, {"solve", 0, "method", {}, {}}), problem);

@@ -116,6 +116,7 @@ Image sag_sheet(const Scene& scene, const SagStudy& study, const PictureSettings
   const Size panel = settings.render.size;
   Scene posed = scene;
   posed.look.ground = false;
+  posed.look.exact = false;  // drawn over the picture, below
   if (!colour_problem(scene).empty()) posed.look.colour_by = ColourBy::plain;
   posed.camera = camera_for(scene, study, static_cast<double>(panel.width) / panel.height);
   const std::vector<Panel> panels = panels_of(study);

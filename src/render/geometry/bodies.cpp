@@ -98,15 +98,17 @@ void add_shape(Bodies& bodies, const Shape& shape, const Colour& colour) {
 }
 
 void add_mass_boxes(Bodies& bodies, const Model& model, const State& start, const State& state,
-                    const Look& look, double radius, const Quantity& quantity, const ColourScale& scale) {
+                    const Look& look, const Radii& radii, const Quantity& quantity,
+                    const ColourScale& scale) {
   const std::vector<Eigen::Quaterniond> turns = orientations(model, start, state);
   const std::vector<bool> boned = in_ragdoll(model);
   for (std::size_t i = 0; i < model.masses.size(); ++i) {
     if (boned[i]) continue;
-    const double half = std::max(model.masses.radius[i], radius);
+    const double half =
+        model.masses.radius[i] > 0.0 ? std::max(model.masses.radius[i], radii.mass) : radii.of_mass[i];
     bodies.boxes.push_back(
         box_record({state.position.at(i), Vec3::Constant(half), turns[i].toRotationMatrix()},
-                   mass_colour(model, look, quantity, scale, i)));
+                   mass_colour(model, look, radii, quantity, scale, i)));
   }
 }
 

@@ -33,6 +33,6 @@ void add_shape(Bodies& bodies, const Shape& shape, const Colour& colour);
 
 /// Adds a box at each mass that is in no ragdoll, turned as its links have turned since the start.
 void add_mass_boxes(Bodies& bodies, const Model& model, const State& start, const State& state,
-                    const Look& look, double radius, const Quantity& quantity, const ColourScale& scale);
+                    const Look& look, const Radii& radii, const Quantity& quantity, const ColourScale& scale);
 
 }  // namespace taut

@@ -5,6 +5,7 @@
 #include "geometry/frame_block.h"
 #include "geometry/picture_space.h"
 #include "geometry/view_matrices.h"
+#include "model/measures.h"
 
 namespace taut {
 namespace {
@@ -28,6 +29,8 @@ struct GeometryMaker::Parts {
   Look look;
   Radii radii;
   Vec3 anchor;                                 // m
+  double size;                                 // m, of the scene
+  std::optional<State> exact;                  // drawn as a ghost
   std::optional<State> start;                  // only where orientations are drawn
   SharedPattern pattern;                       // only where a surface is
   std::shared_ptr<const SpreadSheets> spread;  // as the pattern
@@ -36,8 +39,10 @@ struct GeometryMaker::Parts {
   bool has_surface() const { return pattern != nullptr; }
 };
 
-GeometryMaker::GeometryMaker(const Model& model, const State& start, const Look& look)
-    : parts_(new Parts{model, look, radii(model, look), Vec3::Zero(), {}, {}, {}, {}}) {
+GeometryMaker::GeometryMaker(const Model& model, const State& start, const Look& look,
+                             const std::optional<State>& exact)
+    : parts_(new Parts{
+          model, look, radii(model, look), Vec3::Zero(), scene_size(model, start), exact, {}, {}, {}, {}}) {
   if (start.position.size() > 0) parts_->anchor = start.position.at(0);
   if (look.masses && look.mass_shape == MassShape::box) parts_->start = start;
   if (look.surface && !model.triangles.empty()) {
@@ -48,8 +53,9 @@ GeometryMaker::GeometryMaker(const Model& model, const State& start, const Look&
 
 GeometryMaker::~GeometryMaker() = default;
 
-std::shared_ptr<const Geometry> GeometryMaker::make(const State& state, const CameraPose& pose) {
-  const auto& [model, look, radii, anchor, start, pattern, spread, triangles] = *parts_;
+std::shared_ptr<const Geometry> GeometryMaker::make(const State& state, const CameraPose& pose,
+                                                    const Trails* trails) {
+  const auto& [model, look, radii, anchor, size, exact, start, pattern, spread, triangles] = *parts_;
   const PictureSpace space(pose);
   const State seen = space.seen(state);
   const Quantity values = quantity(model, state, look.colour_by);
@@ -59,6 +65,11 @@ std::shared_ptr<const Geometry> GeometryMaker::make(const State& state, const Ca
   if (look.colour_by != ColourBy::plain) geometry->scale = colour_scale(look, model, state);
   geometry->spheres = sphere_records(model, seen, look, radii, values, geometry->scale);
   geometry->links = link_records(model, seen, look, radii, values, geometry->scale);
+  const Seen in_lines{model, seen, look, radii, values, geometry->scale};
+  add_linked(geometry->lines, geometry->spheres, in_lines);
+  add_loads(geometry->lines, in_lines, space, size);
+  if (trails != nullptr) add_trails(geometry->lines, in_lines, space, *trails);
+  if (exact) add_ghost(geometry->lines, in_lines, space.seen(*exact));
   if (parts_->has_surface()) {
     parts_->triangles = whole_triangles(model, state, parts_->triangles);
     geometry->surface = surface_mesh(parts_->triangles, seen, values, geometry->scale);
@@ -70,8 +81,7 @@ std::shared_ptr<const Geometry> GeometryMaker::make(const State& state, const Ca
       add_shape(geometry->bodies, space.seen(collider.shape), look.collider_colour);
   if (look.bones) add_bones(geometry->bodies, model, seen, look, values, geometry->scale);
   if (start)
-    add_mass_boxes(geometry->bodies, model, space.seen(*start), seen, look, radii.mass, values,
-                   geometry->scale);
+    add_mass_boxes(geometry->bodies, model, space.seen(*start), seen, look, radii, values, geometry->scale);
   for (const Ground& ground : drawn_grounds(model, look, pose.up)) {
     const GroundPatch patch = ground_patch(ground, space, lines_a_period * grid_spacing(pose));
     // From below there is no ground in the way of the scene.

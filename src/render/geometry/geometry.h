@@ -7,6 +7,7 @@
 #include "geometry/colour_scale.h"
 #include "geometry/ground_patch.h"
 #include "geometry/lattice.h"
+#include "geometry/lines.h"
 #include "geometry/surface_mesh.h"
 #include "render/camera.h"
 #include "render/geometry.h"
@@ -23,6 +24,7 @@ struct Geometry {
   CameraPose pose;
   std::vector<SphereRecord> spheres;
   std::vector<RodRecord> links;
+  Lines lines;
   SurfaceMesh surface;  ///< without vertices where none is drawn
   Bodies bodies;
   std::vector<GroundPatch> grounds;  ///< those that are seen from above
@@ -31,8 +33,8 @@ struct Geometry {
   glm::dvec3 anchor{0.0};            ///< a place that no camera moves, for texels of shadows to keep to
 
   bool empty() const {
-    return spheres.empty() && links.empty() && surface.vertices.empty() && bodies.rods.empty() &&
-           bodies.boxes.empty();
+    return spheres.empty() && links.empty() && lines.empty() && surface.vertices.empty() &&
+           bodies.rods.empty() && bodies.boxes.empty();
   }
 };
 
@@ -47,6 +49,7 @@ void for_each_ball(const Geometry& geometry, const Visit& visit) {
     visit(record.end, record.radius);
   };
   for (const RodRecord& link : geometry.links) visit_ends(link);
+  for_each_ball(geometry.lines, visit);
   for (const RodRecord& rod : geometry.bodies.rods) visit_ends(rod);
   for (const BoxRecord& box : geometry.bodies.boxes)
     for (int corner = 0; corner < 8; ++corner)

@@ -9,6 +9,7 @@
 #include "render/gl_context.h"
 #include "render/layers.h"
 #include "render/renderer.h"
+#include "render/trails.h"
 #include "scene/scene.h"
 
 namespace taut {
@@ -30,6 +31,12 @@ void check_size(Size size);
 /// The settings as text in which any difference that shows in a picture shows.
 std::string settings_text(const PictureSettings& settings);
 
+/// What a picture is of: a state, and the trails that lead to it, which may be none.
+struct Pose {
+  const State* state = nullptr;
+  const Trails* trails = nullptr;
+};
+
 /// Draws the states of one scene. Each step may run in a thread of its own, one at a time in each.
 class Painter {
  public:
@@ -41,13 +48,13 @@ class Painter {
   Painter& operator=(const Painter&) = delete;
 
   /// What is seen of a state.
-  std::shared_ptr<const Geometry> shape(const State& state);
+  std::shared_ptr<const Geometry> shape(const Pose& pose);
   /// Has it drawn, without waiting.
   void submit(const Geometry& geometry);
   /// The parts of the picture submitted first of those not fetched yet; flatten() lays them over each other.
   std::shared_ptr<const Layers> fetch();
   /// All steps in one, when nothing is submitted.
-  Image draw(const State& state);
+  Image draw(const State& state, const Trails* trails = nullptr);
 
   /// What draws (GlContext::description()).
   std::string drawn_by() const;

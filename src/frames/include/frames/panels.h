@@ -44,7 +44,7 @@ class PanelPainter {
   ~PanelPainter();
 
   /// What is seen of a state of each scene.
-  Shapes shape(std::span<const State* const> states);
+  Shapes shape(std::span<const Pose> poses);
   /// Has them drawn, without waiting.
   void submit(const Shapes& shapes);
   /// The parts of the panels submitted first of those not fetched yet.

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 
 #include "base/stop.h"
+#include "frames/trail_recorder.h"
 #include "motion/run.h"
 #include "scene/scene.h"
 
@@ -21,6 +23,9 @@ class Simulation {
   /// it fails (failure_advice.h).
   std::optional<State> at(double time, const StopTest& stop = {});
 
+  /// The trails that the scene's look shows, up to a state that at() gave last; null where it shows none.
+  std::shared_ptr<const Trails> trails(const State& state) const { return trails_.up_to(state); }
+
   const Run& run() const { return run_; }
   std::int64_t steps() const { return run_.steps(); }
   State reported(const State& state) const { return run_.reported(state); }
@@ -28,8 +33,11 @@ class Simulation {
   RunMeasures measures(const State& state) const { return run_.measures(state); }
 
  private:
+  std::optional<State> state_at(double time, const StopTest& stop);
+
   const Scene& scene_;
   Run run_;
+  TrailRecorder trails_;
 };
 
 }  // namespace taut

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
@@ -28,9 +29,13 @@ struct Masses {
   bool pinned(std::size_t i) const { return inverse_mass[i] == 0.0; }
 };
 
+/// What a link is for: to carry, or to stand in for a sheet's stiffness against shear or bending.
+enum class LinkFamily : std::uint8_t { structural, diagonals, skip_one };
+
 /// The constant side of links, one entry a link in every array.
 struct Links {
   std::vector<Index> a, b;
+  std::vector<LinkFamily> family;
   std::vector<double> length;         ///< m
   std::vector<double> stiffness;      ///< N/m; infinity = rigid
   std::vector<double> damping;        ///< N s/m; 0 for rigid links

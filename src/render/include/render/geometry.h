@@ -1,10 +1,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "model/model.h"
 #include "model/state.h"
 #include "render/camera.h"
+#include "render/trails.h"
 #include "view/view.h"
 
 namespace taut {
@@ -16,14 +18,17 @@ struct Geometry;
 /// what draws.
 class GeometryMaker {
  public:
-  /// Refers to the model from then on.
-  GeometryMaker(const Model& model, const State& start, const Look& look);
+  /// Refers to the model from then on. `exact`: a state that is drawn as a ghost beside all others; none
+  /// where there is none.
+  GeometryMaker(const Model& model, const State& start, const Look& look,
+                const std::optional<State>& exact = {});
   ~GeometryMaker();
   GeometryMaker(const GeometryMaker&) = delete;
   GeometryMaker& operator=(const GeometryMaker&) = delete;
 
-  /// What is seen of a state from a place.
-  std::shared_ptr<const Geometry> make(const State& state, const CameraPose& pose);
+  /// What is seen of a state from a place, with trails where there are any.
+  std::shared_ptr<const Geometry> make(const State& state, const CameraPose& pose,
+                                       const Trails* trails = nullptr);
 
  private:
   struct Parts;

@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/vectors.h"
@@ -22,10 +23,16 @@ enum class ColourSteps { linear, log };
 /// How masses are drawn; boxes show how each has turned.
 enum class MassShape { sphere, box };
 
+/// How links are drawn: as rods from mass to mass, as the rope or as the chain that they are a model of.
+enum class LinkShape { rod, rope, chain };
+
 enum class Theme { light, dark };
 
 /// How the cloth surface is painted.
 enum class Pattern { plain, checker, woven };
+
+/// The families of links that a look may name; a sheet has all three.
+inline constexpr std::array<std::string_view, 3> link_families{"structural", "diagonals", "skip_one"};
 
 /// What is drawn and how.
 struct Look {
@@ -42,8 +49,17 @@ struct Look {
   double colour_range = 0.0;  ///< value at the top of the colour scale (strain: 1, tension: N, speed: m/s);
                               ///< 0: settled before anything is drawn (frames/settled_colours.h)
   std::optional<double> ground_height;  ///< m, upwards; left out: the plane's own, or 0 without any
-  double mass_radius = 0.0;             ///< m; 0: 0.29 of the median link length
+  double mass_radius = 0.0;             ///< m; 0: 0.21 of the median link length
   double link_radius = 0.0;             ///< m; 0: 0.42 of the mass radius
+  bool weights = true;  ///< masses without a radius of contact are larger and darker the heavier they are
+                        ///< next to the median one
+  LinkShape link_shape = LinkShape::rod;
+  double chain_pitch = 0.0;                         ///< m from a chain's ring to the next; 0: a ring a link
+  std::vector<std::string> families{"structural"};  ///< of links that are drawn, out of link_families
+  bool loads = true;                                ///< loads as arrows
+  bool exact = false;                               ///< the exact shape at rest, as a ghost
+  std::vector<std::string> trails{};                ///< names of masses whose way so far is drawn
+  double trail_time = 0.0;                          ///< s that a trail goes back; 0: to the start
   Colour mass_colour{0.80, 0.55, 0.20};
   Colour pin_colour{0.75, 0.15, 0.15};
   Colour link_colour{0.32, 0.36, 0.42};

@@ -1,0 +1,45 @@
+#include "frames/trail_recorder.h"
+
+#include <algorithm>
+
+namespace taut {
+namespace {
+
+constexpr double points_a_second = 300.0;
+
+}  // namespace
+
+TrailRecorder::TrailRecorder(const Scene& scene)
+    : kept_(scene.look.trail_time > 0.0 ? scene.look.trail_time : infinity) {
+  const std::vector<std::string>& names = scene.model.masses.name;
+  for (const std::string& name : scene.look.trails)
+    if (const auto found = std::ranges::find(names, name); found != names.end())
+      masses_.push_back(static_cast<Index>(found - names.begin()));
+  trails_.resize(masses_.size());
+}
+
+double TrailRecorder::next() const {
+  return masses_.empty() ? infinity : static_cast<double>(taken_) / points_a_second;
+}
+
+void TrailRecorder::add(const State& state) {
+  ++taken_;
+  for (std::size_t i = 0; i < masses_.size(); ++i) {
+    std::vector<TrailPoint>& trail = trails_[i];
+    trail.push_back({state.time, state.position.at(masses_[i])});
+    // One more than is seen, where the end fades out between two.
+    const auto seen = std::ranges::find_if(
+        trail, [&](const TrailPoint& point) { return point.time >= state.time - kept_; });
+    if (seen - trail.begin() > 1) trail.erase(trail.begin(), seen - 1);
+  }
+}
+
+std::shared_ptr<const Trails> TrailRecorder::up_to(const State& now) const {
+  if (masses_.empty()) return nullptr;
+  auto trails = std::make_shared<Trails>(trails_);
+  for (std::size_t i = 0; i < masses_.size(); ++i)
+    (*trails)[i].push_back({now.time, now.position.at(masses_[i])});
+  return trails;
+}
+
+}  // namespace taut
