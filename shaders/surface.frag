@@ -1,5 +1,5 @@
 #version 330 core
-// Cloth: two sides, a pattern, folds that darken in their hollows, a little light through the weave.
+// Cloth: two sides, a pattern, a hem, folds that darken in their hollows, a little light through the weave.
 #include "lighting.glsl"
 
 // FRONT_COLOUR, BACK_COLOUR: as displayed. PATTERN: 1 checker, 2 woven; without it the cloth is plain. PAINTED:
@@ -8,6 +8,7 @@
 in vec3 to_eye;
 in vec3 front_normal;
 in float hollowness;
+in vec3 from_edges;  // xy: from upright and level borders, in hems; z: 0 at a tear, 1 away from it
 #ifdef SHADOWS
 in vec2 in_light_map;
 
@@ -36,24 +37,35 @@ float pattern_shade() {
 #if PATTERN == 1
   return 1.0 + 0.34 * wave.x * wave.y;
 #else
-  // Threads pass over and under each other; each is round, so darker towards its edges.
-  vec2 fade = clamp(1.3 - 1.6 * width, 0.0, 1.0);
+  // Threads pass over and under each other; each is round, so darker towards its edges. Below two pixels a thread
+  // nothing is left of them but their mean.
+  vec2 fade = clamp(1.6 - 2.4 * width, 0.0, 1.0);
   vec2 thread = abs(fract(weave) - 0.5) * 2.0;
   float warp_on_top = 0.5 + 0.5 * wave.x * wave.y;
-  float roundness = mix(1.0 - 0.55 * thread.x * thread.x, 1.0 - 0.55 * thread.y * thread.y, warp_on_top);
-  float both = min(fade.x, fade.y);
-  return mix(1.0, (0.88 + 0.30 * warp_on_top) * roundness / 0.84, both);
+  float roundness = mix(1.0 - 0.45 * thread.x * thread.x, 1.0 - 0.45 * thread.y * thread.y, warp_on_top);
+  return mix(1.0, (0.88 + 0.24 * warp_on_top) * roundness / 0.85, fade.x * fade.y);
 #endif
+}
+#endif
+
+#ifndef PAINTED
+/// Brightness along borders and tears, about 1: a hem is cloth turned over and sewn down, so twice as thick, with a
+/// seam; at its outer edge and along tears the ends of threads catch the light.
+float edge_shade() {
+  float inwards = min(from_edges.x, from_edges.y);
+  float pixel_width = fwidth(inwards) + 1e-4;
+  float seen = clamp(1.4 - 2.8 * pixel_width, 0.0, 1.0);  // as wide as a pixel or two, or not at all
+  float hem = clamp((1.0 - inwards) / pixel_width + 0.5, 0.0, 1.0);
+  float seam = clamp(1.0 - abs(inwards - 0.86) / max(0.09, 0.7 * pixel_width), 0.0, 1.0);
+  float rim = clamp(1.0 - inwards / max(0.14, pixel_width), 0.0, 1.0);
+  float frayed = clamp(1.0 - 3.0 * from_edges.z, 0.0, 1.0);
+  return 1.0 + seen * (0.30 * rim - 0.14 * hem - 0.38 * seam) + 0.5 * frayed * frayed;
 }
 #endif
 
 void main() {
   float side = gl_FrontFacing ? 1.0 : -1.0;
   vec3 normal = normalize(front_normal) * side;
-  vec3 albedo = linear_from_display(gl_FrontFacing ? FRONT_COLOUR : BACK_COLOUR);
-#ifdef PATTERN
-  albedo *= pattern_shade();
-#endif
 
 #ifdef PAINTED
   // As much shade as folds need to be seen, and no more: what counts are the colours of the legend.
@@ -64,6 +76,10 @@ void main() {
 #endif
   pixel = vec4(painted * shade, 1.0);
 #else
+  vec3 albedo = linear_from_display(gl_FrontFacing ? FRONT_COLOUR : BACK_COLOUR) * edge_shade();
+#ifdef PATTERN
+  albedo *= pattern_shade();
+#endif
   float facing = dot(normal, to_light);
   // Folds light each other, so what lies in their shadow isn't quite dark.
 #ifdef SHADOWS
@@ -76,10 +92,11 @@ void main() {
 
   float diffuse = max((facing + 0.15) / 1.15, 0.0) * reaching;
   float through = 0.16 * max(-facing, 0.0);
+  // Fibres that stand off the cloth catch the light where one looks along it.
   float edge_on = 1.0 - max(dot(normal, normalize(to_eye)), 0.0);
-  float grazing = edge_on * edge_on * edge_on * edge_on;
+  float sheen = edge_on * edge_on * edge_on;
   vec3 colour = albedo * (ambient_light(normal) * open + light * (diffuse * mix(1.0, open, 0.7) + through));
-  colour += (0.10 * albedo + 0.02) * grazing * ambient_above * open;
+  colour += (0.28 * albedo + 0.025) * (sheen * open) * (ambient_above + 0.8 * light * diffuse);
   pixel = vec4(display_from_linear(colour), 1.0);
 #endif
 }

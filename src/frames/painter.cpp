@@ -68,7 +68,9 @@ struct Painter::Tools {
 
   Tools(std::unique_ptr<GlContext> made, const Scene& scene, const PictureSettings& settings)
       : context(std::move(made)),
-        maker(scene.model, scene.start, scene.look, exact_shape(scene)),
+        maker(scene.model, scene.start, scene.look,
+              Sight{camera_pose(scene.camera, scene.model, scene.start, scene.start), settings.drawn_size()},
+              exact_shape(scene)),
         renderer(*context, scene.look, drawn(settings), settings.shader_folder) {}
 };
 

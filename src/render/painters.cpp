@@ -15,7 +15,9 @@ constexpr std::array sphere_attributes{Attribute{4, GL_FLOAT, offsetof(SphereRec
 constexpr std::array surface_attributes{Attribute{3, GL_FLOAT, offsetof(SurfaceVertex, position)},
                                         Attribute{3, GL_FLOAT, offsetof(SurfaceVertex, normal)},
                                         Attribute{1, GL_FLOAT, offsetof(SurfaceVertex, hollow)}};
-constexpr std::array pattern_attributes{Attribute{2, GL_FLOAT, 0}};
+constexpr std::array place_attributes{Attribute{2, GL_FLOAT, offsetof(SurfacePlace, pattern)},
+                                      Attribute{3, GL_FLOAT, offsetof(SurfacePlace, edges)},
+                                      Attribute{2, GL_FLOAT, offsetof(SurfacePlace, light)}};
 constexpr std::array colour_attributes{Attribute{4, GL_UNSIGNED_BYTE, 0}};
 constexpr std::array ball_attributes{Attribute{4, GL_FLOAT, 0}};
 constexpr std::array rod_attributes{Attribute{4, GL_FLOAT, offsetof(RodRecord, start)},
@@ -86,7 +88,7 @@ glm::vec2 light_texels(const SpreadSheets& spread, float pixels_a_metre) {
   constexpr float pixels_a_texel = 2.5F, most = 4095.0F;
   const glm::vec2 wanted = glm::ceil(spread.cell_size * pixels_a_metre / pixels_a_texel);
   return glm::clamp(wanted, glm::vec2(1.0F),
-                    glm::max(glm::floor(most / glm::vec2(spread.masses.width, spread.masses.height)), 1.0F));
+                    glm::max(glm::floor(most / glm::vec2(spread.places.width, spread.places.height)), 1.0F));
 }
 
 const Program& program_for(const PassPrograms& programs, Pass pass) {
@@ -135,32 +137,27 @@ SurfacePainter::SurfacePainter(const Gl& gl, const ShaderLibrary& library, const
                 with_look(std::move(defines), look)),
       array_(make_vertex_array(gl)),
       vertices_(gl, array_, sizeof(SurfaceVertex), surface_attributes, 0),
-      pattern_(gl, array_, sizeof(glm::vec2), pattern_attributes, 0, 3),
-      spread_(gl, array_, sizeof(glm::vec2), pattern_attributes, 0, 4),
+      places_(gl, array_, sizeof(SurfacePlace), place_attributes, 0, 3),
       indices_(gl) {
   if (look.shadows)
     light_.emplace(Light{Program(gl, library, "whole.vert", "surface_light.frag", {"SHADOWS"}),
                          {make_texture(gl), make_texture(gl), make_texture(gl)},
                          make_vertex_array(gl),
                          LightMap(gl)});
-  if (look.colour_by != ColourBy::plain) colours_.emplace(gl, array_, sizeof(Rgba), colour_attributes, 0, 5);
+  if (look.colour_by != ColourBy::plain) colours_.emplace(gl, array_, sizeof(Rgba), colour_attributes, 0, 6);
 }
 
 void SurfacePainter::upload(const SurfaceMesh& mesh) {
   gl_->bind_vertex_array(array_.name());
   vertices_.upload(std::span(mesh.vertices));
   if (colours_) colours_->upload(std::span(mesh.colours));
-  if (mesh.pattern != uploaded_pattern_) {
-    pattern_.upload(std::span(*mesh.pattern));
-    uploaded_pattern_ = mesh.pattern;
+  if (mesh.places != uploaded_places_) {
+    places_.upload(std::span(*mesh.places));
+    uploaded_places_ = mesh.places;
   }
   if (mesh.indices != uploaded_indices_) {
     indices_.upload(*mesh.indices);
     uploaded_indices_ = mesh.indices;
-  }
-  if (light_ && mesh.spread != uploaded_spread_) {
-    spread_.upload(std::span(mesh.spread->positions));
-    uploaded_spread_ = mesh.spread;
   }
 }
 
@@ -171,11 +168,11 @@ void SurfacePainter::draw_light(const SurfaceMesh& mesh, const FrameBlock& block
   gl_->active_texture(GL_TEXTURE2);
   gl_->bind_texture(GL_TEXTURE_2D, light_->places.at(light_->turn++ % light_->places.size()).name());
   gl_->texture_parameter(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  gl_->texture_image(GL_TEXTURE_2D, 0, GL_RGBA32F, spread.masses.width, spread.masses.height, 0, GL_RGBA,
+  gl_->texture_image(GL_TEXTURE_2D, 0, GL_RGBA32F, spread.places.width, spread.places.height, 0, GL_RGBA,
                      GL_FLOAT, places.data());
 
   const glm::vec2 texels_a_cell = light_texels(spread, pixels_a_metre);
-  const glm::vec2 size = glm::vec2(spread.masses.width - 1, spread.masses.height - 1) * texels_a_cell + 1.0F;
+  const glm::vec2 size = glm::vec2(spread.places.width - 1, spread.places.height - 1) * texels_a_cell + 1.0F;
   light_->map.begin({static_cast<int>(size.x), static_cast<int>(size.y)});
   light_->program.use();
   light_->program.set("places", 2);

@@ -80,12 +80,11 @@ class SurfacePainter {
   const Gl* gl_;
   PassPrograms programs_;
   GlObject array_;
-  VertexStream vertices_, pattern_, spread_;
+  VertexStream vertices_, places_;
   std::optional<VertexStream> colours_;  // only where the look has any
   IndexStream indices_;
   SharedIndices uploaded_indices_;
-  SharedPattern uploaded_pattern_;
-  std::shared_ptr<const SpreadSheets> uploaded_spread_;
+  SharedPlaces uploaded_places_;
   std::optional<Light> light_;  // only where there are shadows
 };
 

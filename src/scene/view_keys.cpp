@@ -124,6 +124,16 @@ Keys<Look> look_keys() {
                  .fallback = "1",
                  .help = "[time in s, speed], …: from each time on so many of the scene's seconds pass in a "
                          "second of film; 0.2 is slow motion"}),
+      key<Look>(
+          "thread_pitch", &Look::thread_pitch,
+          {.unit = "m",
+           .range = between(0, far),
+           .help = "from thread to thread of a woven pattern; 0: an eightieth of the cloth's shorter side"}),
+      key<Look>("hem_width", &Look::hem_width,
+                {.unit = "m",
+                 .range = between(0, far),
+                 .fallback = "0.018 of the cloth's shorter side",
+                 .help = "of the cloth that is turned over and sewn down along its borders; 0: none"}),
       key<Look>("mass_shape", &Look::mass_shape,
                 {.help = "how masses are drawn; boxes show how each has turned with its links"}),
   };

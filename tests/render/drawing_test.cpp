@@ -132,34 +132,6 @@ TEST(Link, BrokenOneIsNotDrawn) {
   EXPECT_EQ(255, channel_at(image, static_cast<int>(whole.x()), static_cast<int>(whole.y()), 3));
 }
 
-/// Alpha at the centre of a triangle's picture.
-int alpha_in_triangle(const Image& image, const State& state, const Triangle& triangle) {
-  Vec3 centre = Vec3::Zero();
-  for (const Index mass : triangle.masses) centre += state.position.at(mass) / 3.0;
-  const Vec3 place = picture_position(straight_on(), size.width, size.height, centre);
-  return channel_at(image, static_cast<int>(place.x()), static_cast<int>(place.y()), 3);
-}
-
-TEST(Surface, TornTrianglesAreNotDrawn) {
-  Built scene = upright_sheet(4, 4);
-  ASSERT_TRUE(scene.problems.empty());
-  ASSERT_EQ(18U, scene.model.triangles.size());
-  const std::size_t broken = 8;
-  scene.start.broken_at[broken] = 0.0;
-  Look look = bare_look();
-  look.surface = true;
-  const Image image = draw_once(scene.model, scene.start, look, cut_out(size), straight_on());
-  int torn = 0;
-  for (const Triangle& triangle : scene.model.triangles) {
-    const bool has_broken_edge =
-        std::find(triangle.links.begin(), triangle.links.end(), broken) != triangle.links.end();
-    torn += has_broken_edge ? 1 : 0;
-    EXPECT_EQ(has_broken_edge ? 0 : 255, alpha_in_triangle(image, scene.start, triangle));
-  }
-  EXPECT_GE(torn, 1);
-  EXPECT_LE(torn, 2);
-}
-
 TEST(Surface, ShowsItsOtherColourFromBehind) {
   const Built scene = upright_sheet(3, 3);
   Look look = bare_look();

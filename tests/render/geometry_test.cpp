@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "geometry/frame_block.h"
-#include "geometry/palette.h"
 #include "geometry/region.h"
 #include "small_scenes.h"
 
@@ -20,7 +19,6 @@ using testing::bare_look;
 using testing::row_of_masses;
 using testing::size;
 using testing::straight_on;
-using testing::upright_sheet;
 
 std::shared_ptr<const Geometry> geometry_of(const Built& scene, const Look& look, const CameraPose& pose) {
   return GeometryMaker(scene.model, scene.start, look).make(scene.start, pose);
@@ -126,62 +124,6 @@ TEST(Grounds, HideOnlyWhatReachesBelowThem) {
   };
   EXPECT_GT(redness_at({0.0, 0.4, 0.5}), 60);
   EXPECT_LT(redness_at({0.0, -0.4, 0.5}), 20) << "below the ground";
-}
-
-TEST(SurfaceMesh, SharesWhatHasNotChanged) {
-  Built scene = upright_sheet(5, 5);
-  GeometryMaker maker(scene.model, scene.start, all_drawn());
-  const auto first = maker.make(scene.start, straight_on()), second = maker.make(scene.start, straight_on());
-  EXPECT_EQ(first->surface.indices, second->surface.indices);
-  EXPECT_EQ(first->surface.pattern, second->surface.pattern);
-  scene.start.broken_at[8] = 0.0;
-  const auto torn = maker.make(scene.start, straight_on());
-  EXPECT_LT(torn->surface.indices->size(), first->surface.indices->size());
-  EXPECT_EQ(torn->surface.pattern, first->surface.pattern);
-}
-
-TEST(SpreadSheets, HaveAPlaceForEachMassOfEachSheet) {
-  Description description;
-  for (int i = 0; i < 2; ++i) {
-    SheetSpec sheet;
-    sheet.name = "cloth" + std::to_string(i);
-    sheet.rows = 3 + i;
-    sheet.columns = 4 + 2 * i;
-    sheet.from = {0.0, 1.0, static_cast<double>(i)};
-    sheet.to = {3.0, 1.0, static_cast<double>(i)};
-    sheet.down = {0.0, -1.0, 0.0};
-    description.sheets.push_back(sheet);
-  }
-  const Built scene = build(description);
-  const SpreadSheets spread = spread_sheets(scene.model, scene.start);
-  EXPECT_EQ(spread.masses.width, 6);
-  EXPECT_EQ(spread.masses.height, 7);
-  EXPECT_FLOAT_EQ(spread.cell_size.x, 1.0F);
-  EXPECT_FLOAT_EQ(spread.cell_size.y, 0.5F);
-  std::vector<std::pair<float, float>> places;
-  for (const glm::vec2& at : spread.positions) places.emplace_back(at.x, at.y);
-  std::ranges::sort(places);
-  EXPECT_EQ(std::ranges::adjacent_find(places), places.end()) << "two in one place";
-}
-
-TEST(LightPlaces, AreLiftedTowardsTheSideThatIsLit) {
-  const Built scene = upright_sheet(3, 3);
-  GeometryMaker maker(scene.model, scene.start, all_drawn());
-  const auto geometry = maker.make(scene.start, straight_on());
-  const SurfaceMesh& mesh = geometry->surface;
-  const glm::vec3 to_light = direction_to_light();
-  const float texel = 0.01F;
-  for (const glm::vec3& light : {to_light, -to_light}) {
-    const std::vector<glm::vec4> places = light_places(mesh, glm::mat4(1.0F), light, texel);
-    ASSERT_EQ(places.size(), 9U);
-    for (std::size_t mass = 0; mass < 9; ++mass) {
-      const glm::vec2& at = mesh.spread->positions[mass];
-      const glm::vec3 lifted =
-          glm::vec3(places[static_cast<std::size_t>(3.0F * at.y + at.x)]) - mesh.vertices[mass].position;
-      EXPECT_GT(glm::dot(lifted, light), texel) << mass;
-      EXPECT_LT(glm::length(lifted), 2.6F * texel) << mass;
-    }
-  }
 }
 
 TEST(Bodies, BonesThatMeetShareTheirJoint) {

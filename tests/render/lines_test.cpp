@@ -351,7 +351,7 @@ TEST(Lines, NothingReachesTheEdgeOfTheirRegion) {
   for (const LinkShape shape : {LinkShape::rope, LinkShape::chain}) {
     Look look = look_of(shape);
     look.link_radius = 0.04;
-    GeometryMaker maker(scene.model, scene.start, look, scene.start);
+    GeometryMaker maker(scene.model, scene.start, look, {}, scene.start);
     for (const CameraPose& pose : {straight_on(), CameraPose{{0.3, 0.9, 1.2}, {0.0, 0.6, 0.0}, 60.0}}) {
       const auto geometry = maker.make(scene.start, pose);
       const Region region = drawn_region(*geometry, size);
@@ -380,7 +380,7 @@ TEST(Ghost, IsDrawnWhereTheOtherStateIsAndLetsThingsShine) {
   for (std::size_t i = 0; i < 2; ++i) other.position.set(i, scene.start.position.at(i) + Vec3(0.0, 0.6, 0.0));
   Look look = look_of(LinkShape::rod);
   look.link_radius = 0.1;
-  GeometryMaker maker(scene.model, scene.start, look, other);
+  GeometryMaker maker(scene.model, scene.start, look, {}, other);
   const auto context = make_gl_context({});
   const Image image = flatten(
       *Renderer(*context, look, testing::cut_out(size)).draw(*maker.make(scene.start, straight_on())));

@@ -21,7 +21,7 @@ void ColourRange::add(const Model& model, const State& state) {
     return;
   }
   for (std::size_t link = 0; link < values.of_link.size(); ++link)
-    if (!state.broken(link)) add(values.of_link[link]);
+    if (!state.broken(link) && model.links.family[link] == LinkFamily::structural) add(values.of_link[link]);
 }
 
 void ColourRange::add(double value) {

@@ -69,7 +69,7 @@ std::vector<double> mean_over_links(const Model& model, const State& state,
                                     const std::vector<double>& values) {
   std::vector<double> sum(model.masses.size()), count(model.masses.size());
   for (std::size_t link = 0; link < values.size(); ++link) {
-    if (state.broken(link)) continue;
+    if (state.broken(link) || model.links.family[link] != LinkFamily::structural) continue;
     for (const Index mass : {model.links.a[link], model.links.b[link]}) {
       sum[mass] += values[link];
       count[mass] += 1.0;

@@ -15,7 +15,7 @@ using Rgba = std::array<std::uint8_t, 4>;
 Rgba opaque(const Colour& colour);
 
 /// The quantity that a Look colours by: one value a link and one a mass (strain: 1, tension: N, speed: m/s).
-/// A mass has the mean of its whole links, or its own speed. Empty when the look is plain.
+/// A mass has the mean of its whole structural links, or its own speed. Empty when the look is plain.
 struct Quantity {
   std::vector<double> of_link, of_mass;
 };

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "geometry/frame_block.h"
+#include "geometry/loose_threads.h"
 #include "geometry/picture_space.h"
 #include "geometry/view_matrices.h"
 #include "model/measures.h"
@@ -28,26 +29,23 @@ struct GeometryMaker::Parts {
   const Model& model;
   Look look;
   Radii radii;
-  Vec3 anchor;                                 // m
-  double size;                                 // m, of the scene
-  std::optional<State> exact;                  // drawn as a ghost
-  std::optional<State> start;                  // only where orientations are drawn
-  SharedPattern pattern;                       // only where a surface is
-  std::shared_ptr<const SpreadSheets> spread;  // as the pattern
-  SharedIndices triangles;                     // of the last surface
-
-  bool has_surface() const { return pattern != nullptr; }
+  Vec3 anchor;                                      // m
+  double size;                                      // m, of the scene
+  std::optional<State> exact;                       // drawn as a ghost
+  std::optional<State> start;                       // only where orientations are drawn
+  std::optional<Cloth> cloth;                       // only where a surface is drawn
+  std::shared_ptr<const SurfaceTopology> topology;  // of the last surface
 };
 
 GeometryMaker::GeometryMaker(const Model& model, const State& start, const Look& look,
-                             const std::optional<State>& exact)
-    : parts_(new Parts{
-          model, look, radii(model, look), Vec3::Zero(), scene_size(model, start), exact, {}, {}, {}, {}}) {
+                             const std::optional<Sight>& sight, const std::optional<State>& exact)
+    : parts_(new Parts{model, look, radii(model, look), Vec3::Zero(), scene_size(model, start), exact, {}, {}, {}}) {
   if (start.position.size() > 0) parts_->anchor = start.position.at(0);
   if (look.masses && look.mass_shape == MassShape::box) parts_->start = start;
   if (look.surface && !model.triangles.empty()) {
-    parts_->pattern = pattern_positions(model, look.pattern);
-    parts_->spread = std::make_shared<const SpreadSheets>(spread_sheets(model, start));
+    const float pixels_a_metre =
+        sight ? 1.0F / (reach_of(sight->pose) * pixel_height(sight->pose, sight->size)) : 0.0F;
+    parts_->cloth = cloth_of(model, start, look, pixels_a_metre);
   }
 }
 
@@ -55,7 +53,7 @@ GeometryMaker::~GeometryMaker() = default;
 
 std::shared_ptr<const Geometry> GeometryMaker::make(const State& state, const CameraPose& pose,
                                                     const Trails* trails) {
-  const auto& [model, look, radii, anchor, size, exact, start, pattern, spread, triangles] = *parts_;
+  const auto& [model, look, radii, anchor, size, exact, start, cloth, topology] = *parts_;
   const PictureSpace space(pose);
   const State seen = space.seen(state);
   const Quantity values = quantity(model, state, look.colour_by);
@@ -70,11 +68,13 @@ std::shared_ptr<const Geometry> GeometryMaker::make(const State& state, const Ca
   add_loads(geometry->lines, in_lines, space, size);
   if (trails != nullptr) add_trails(geometry->lines, in_lines, space, *trails);
   if (exact) add_ghost(geometry->lines, in_lines, space.seen(*exact));
-  if (parts_->has_surface()) {
-    parts_->triangles = whole_triangles(model, state, parts_->triangles);
-    geometry->surface = surface_mesh(parts_->triangles, seen, values, geometry->scale);
-    geometry->surface.pattern = pattern;
-    geometry->surface.spread = spread;
+  if (cloth) {
+    parts_->topology = surface_topology(*cloth, state, topology);
+    geometry->surface = surface_mesh(*cloth, *topology, seen, space, values, geometry->scale);
+    const Vec3 down = space.direction(model.gravity.stableNormalized());
+    const std::vector<RodRecord> threads =
+        loose_threads(*cloth, *topology, geometry->surface, seen, to_glm(down), look);
+    geometry->links.insert(geometry->links.end(), threads.begin(), threads.end());
   }
   if (look.colliders)
     for (const Collider& collider : model.colliders)

@@ -1,41 +1,13 @@
 #include "geometry/surface_mesh.h"
 
-#include <algorithm>
 #include <cmath>
+#include <span>
 
+#include "geometry/tears.h"
 #include "geometry/view_matrices.h"
 
 namespace taut {
 namespace {
-
-/// Length in sheet cells of a checker square.
-float checker_square(const Sheet& sheet) {
-  return std::max(1.0F, std::round(static_cast<float>(std::min(sheet.rows, sheet.columns)) / 14.0F));
-}
-
-/// A weave of about eighty threads across the sheet is fine, and still seen from afar.
-float threads_per_cell(const Sheet& sheet) {
-  return std::clamp(std::round(80.0F / static_cast<float>(std::min(sheet.rows, sheet.columns))), 1.0F, 6.0F);
-}
-
-float units_per_cell(const Sheet& sheet, Pattern pattern) {
-  return pattern == Pattern::checker ? 1.0F / checker_square(sheet) : threads_per_cell(sheet);
-}
-
-/// Mean width and height (m) of a sheet's cells.
-glm::vec2 mean_cell(const Sheet& sheet, const State& state) {
-  glm::vec2 sum(0.0F);
-  for (Index row = 0; row < sheet.rows; ++row)
-    for (Index column = 0; column < sheet.columns; ++column) {
-      const Index mass = sheet.first_mass + row * sheet.columns + column;
-      const auto distance = [&](Index other) {
-        return static_cast<float>((state.position.at(other) - state.position.at(mass)).norm());
-      };
-      if (column + 1 < sheet.columns) sum.x += distance(mass + 1);
-      if (row + 1 < sheet.rows) sum.y += distance(mass + sheet.columns);
-    }
-  return sum / glm::vec2(sheet.rows * (sheet.columns - 1), sheet.columns * (sheet.rows - 1));
-}
 
 /// Sums each triangle's normal, as long as twice its area, into its corners.
 void add_normals(SurfaceMesh& mesh) {
@@ -67,102 +39,140 @@ void for_each_neighbour(const std::vector<Index>& indices, const Visit& visit) {
   }
 }
 
-/// How far the neighbours' mean lies in front of each vertex, in edge lengths, averaged once more over the
+/// How far the neighbours' mean lies in front of each mass, in edge lengths, averaged once more over the
 /// neighbours: a cheap stand-in for how much of the sky a fold hides.
-void add_hollows(SurfaceMesh& mesh) {
+std::vector<float> hollows_of(const std::vector<Index>& triangles, const std::vector<glm::vec3>& positions,
+                              const std::vector<glm::vec3>& normals) {
   constexpr float gain = 14.0F;
-  const std::size_t count = mesh.vertices.size();
+  const std::size_t count = positions.size();
   std::vector<glm::vec4> sum(count, glm::vec4(0.0F));  // towards the neighbours; w: lengths
-  for_each_neighbour(*mesh.indices, [&](Index from, Index to) {
-    const glm::vec3 edge = mesh.vertices[to].position - mesh.vertices[from].position;
+  for_each_neighbour(triangles, [&](Index from, Index to) {
+    const glm::vec3 edge = positions[to] - positions[from];
     sum[from] += glm::vec4(edge, glm::length(edge));
   });
   std::vector<float> own(count);
   for (std::size_t i = 0; i < count; ++i) {
-    if (sum[i].w > 0.0F) own[i] = gain * glm::dot(glm::vec3(sum[i]), mesh.vertices[i].normal) / sum[i].w;
+    if (sum[i].w > 0.0F) own[i] = gain * glm::dot(glm::vec3(sum[i]), normals[i]) / sum[i].w;
   }
   std::vector<glm::vec2> around(count, glm::vec2(0.0F));  // sum of the neighbours' values, their number
-  for_each_neighbour(*mesh.indices, [&](Index from, Index to) { around[from] += glm::vec2(own[to], 1.0F); });
+  for_each_neighbour(triangles, [&](Index from, Index to) { around[from] += glm::vec2(own[to], 1.0F); });
+  std::vector<float> hollows(count);
   for (std::size_t i = 0; i < count; ++i) {
     const float neighbours = around[i].y > 0.0F ? around[i].x / around[i].y : 0.0F;
     const float hollow = 0.5F * (own[i] + neighbours);
-    mesh.vertices[i].hollow = hollow / (1.0F + std::abs(hollow));
+    hollows[i] = hollow / (1.0F + std::abs(hollow));
   }
+  return hollows;
+}
+
+/// Calls visit(number of the vertex, row and column in cells) for the vertices of sheets, in their order.
+template <typename Visit>
+void for_each_sheet_vertex(const Cloth& cloth, const Visit& visit) {
+  std::size_t vertex = 0;
+  for (const SheetLattice& sheet : cloth.sheets) {
+    const glm::uvec2 size = fine_size(sheet, cloth.fineness);
+    for (glm::uint y = 0; y < size.y; ++y)
+      for (glm::uint x = 0; x < size.x; ++x) visit(vertex++, sheet, x, y);
+  }
+}
+
+/// What masses have, for each vertex: between them in proportion, along tears that of the mass they hang on.
+template <typename Value>
+std::vector<Value> at_vertices(const Cloth& cloth, const SurfaceTopology& topology,
+                               const std::vector<Value>& of_mass) {
+  std::vector<Value> values;
+  values.reserve(topology.places->size());
+  const Index across = cloth.fineness.across, down = cloth.fineness.down;
+  for_each_sheet_vertex(cloth, [&](std::size_t, const SheetLattice& sheet, Index x, Index y) {
+    const Index row = y / down, column = x / across;
+    const auto right = static_cast<Value>(x % across) / static_cast<Value>(across);
+    const auto below = static_cast<Value>(y % down) / static_cast<Value>(down);
+    Value value = of_mass[sheet.mass(row, column)];
+    if (x % across != 0) value += right * (of_mass[sheet.mass(row, column + 1)] - value);
+    if (y % down != 0) {
+      Value lower = of_mass[sheet.mass(row + 1, column)];
+      if (x % across != 0) lower += right * (of_mass[sheet.mass(row + 1, column + 1)] - lower);
+      value += below * (lower - value);
+    }
+    values.push_back(value);
+  });
+  for (const Index mass : masses_of_tears(topology)) values.push_back(of_mass[mass]);
+  return values;
+}
+
+std::vector<glm::vec3> places_of_masses(const State& seen) {
+  std::vector<glm::vec3> places;
+  places.reserve(seen.position.size());
+  for (std::size_t mass = 0; mass < seen.position.size(); ++mass)
+    places.push_back(to_glm(seen.position.at(mass)));
+  return places;
+}
+
+/// From the world's axes to a picture space's.
+glm::mat3 turn_of(const PictureSpace& space) {
+  return {to_glm(space.direction(Vec3::UnitX())), to_glm(space.direction(Vec3::UnitY())),
+          to_glm(space.direction(Vec3::UnitZ()))};
+}
+
+void add_vertices(SurfaceMesh& mesh, const Cloth& cloth, const SurfaceTopology& topology,
+                  const std::vector<glm::vec3>& masses, const PictureSpace& space) {
+  mesh.vertices.reserve(topology.places->size());
+  const auto add = [&mesh](const std::vector<glm::vec3>& places) {
+    for (const glm::vec3& place : places) mesh.vertices.push_back({place, glm::vec3(0.0F), 0.0F});
+  };
+  const std::span<const glm::vec3> all(masses);
+  for (const SheetLattice& sheet : cloth.sheets)
+    add(smooth_places(sheet, cloth.fineness, topology.broken,
+                      all.subspan(sheet.first_mass, std::size_t{sheet.rows} * sheet.columns)));
+  add(places_of_tears(topology, masses, turn_of(space)));
+}
+
+void add_hollows(SurfaceMesh& mesh, const Cloth& cloth, const SurfaceTopology& topology,
+                 const std::vector<glm::vec3>& masses) {
+  std::vector<glm::vec3> normals(masses.size(), glm::vec3(0.0F));
+  const Index across = cloth.fineness.across, down = cloth.fineness.down;
+  for_each_sheet_vertex(cloth, [&](std::size_t vertex, const SheetLattice& sheet, Index x, Index y) {
+    if (x % across == 0 && y % down == 0)
+      normals[sheet.mass(y / down, x / across)] = mesh.vertices[vertex].normal;
+  });
+  const std::vector<float> hollows =
+      at_vertices(cloth, topology, hollows_of(topology.mass_triangles, masses, normals));
+  for (std::size_t i = 0; i < hollows.size(); ++i) mesh.vertices[i].hollow = hollows[i];
 }
 
 }  // namespace
 
-bool is_whole(const Triangle& triangle, const State& state) {
-  return std::none_of(triangle.links.begin(), triangle.links.end(),
-                      [&state](Index link) { return link != no_link && state.broken(link); });
-}
-
-SharedPattern pattern_positions(const Model& model, Pattern pattern) {
-  std::vector<glm::vec2> positions(model.masses.size(), glm::vec2(0.0F));
-  for (const Sheet& sheet : model.sheets) {
-    const float units = units_per_cell(sheet, pattern);
-    for (Index row = 0; row < sheet.rows; ++row) {
-      for (Index column = 0; column < sheet.columns; ++column) {
-        positions[sheet.first_mass + row * sheet.columns + column] =
-            units * glm::vec2(static_cast<float>(column), static_cast<float>(row));
-      }
-    }
-  }
-  return std::make_shared<const std::vector<glm::vec2>>(std::move(positions));
-}
-
-SpreadSheets spread_sheets(const Model& model, const State& start) {
-  SpreadSheets spread;
-  spread.positions.resize(model.masses.size());
-  Index rows = 0, columns = 0;
-  for (const Sheet& sheet : model.sheets) {
-    for (Index row = 0; row < sheet.rows; ++row)
-      for (Index column = 0; column < sheet.columns; ++column)
-        spread.positions[sheet.first_mass + row * sheet.columns + column] = glm::vec2(column, rows + row);
-    spread.cell_size = glm::max(spread.cell_size, mean_cell(sheet, start));
-    rows += sheet.rows;
-    columns = std::max(columns, sheet.columns);
-  }
-  spread.masses = {static_cast<int>(columns), static_cast<int>(rows)};
-  return spread;
-}
-
 std::vector<glm::vec4> light_places(const SurfaceMesh& mesh, const glm::mat4& to_map,
                                     const glm::vec3& to_light, float texel) {
-  const auto columns = static_cast<std::size_t>(mesh.spread->masses.width);
-  std::vector<glm::vec4> places(columns * static_cast<std::size_t>(mesh.spread->masses.height));
-  for (std::size_t mass = 0; mass < mesh.vertices.size(); ++mass) {
-    const SurfaceVertex& vertex = mesh.vertices[mass];
-    const glm::vec2& at = mesh.spread->positions[mass];
-    const float side = glm::dot(vertex.normal, to_light) < 0.0F ? -1.0F : 1.0F;
-    const glm::vec3 lifted = vertex.position + texel * (1.5F * side * vertex.normal + to_light);
-    places[static_cast<std::size_t>(at.y) * columns + static_cast<std::size_t>(at.x)] =
-        to_map * glm::vec4(lifted, 1.0F);
-  }
+  const auto width = static_cast<std::size_t>(mesh.spread->places.width);
+  std::vector<glm::vec4> places(width * static_cast<std::size_t>(mesh.spread->places.height));
+  std::size_t number = 0, row = 0;
+  for (const glm::uvec2& sheet : mesh.spread->sheets)
+    for (glm::uint y = 0; y < sheet.y; ++y, ++row)
+      for (glm::uint x = 0; x < sheet.x; ++x) {
+        const SurfaceVertex& vertex = mesh.vertices[number++];
+        const float side = glm::dot(vertex.normal, to_light) < 0.0F ? -1.0F : 1.0F;
+        const glm::vec3 lifted = vertex.position + texel * (1.5F * side * vertex.normal + to_light);
+        places[row * width + x] = to_map * glm::vec4(lifted, 1.0F);
+      }
   return places;
 }
 
-SharedIndices whole_triangles(const Model& model, const State& state, const SharedIndices& before) {
-  std::vector<Index> indices;
-  indices.reserve(3 * model.triangles.size());
-  for (const Triangle& triangle : model.triangles)
-    if (is_whole(triangle, state))
-      indices.insert(indices.end(), triangle.masses.begin(), triangle.masses.end());
-  if (before && *before == indices) return before;
-  return std::make_shared<const std::vector<Index>>(std::move(indices));
-}
-
-SurfaceMesh surface_mesh(const SharedIndices& triangles, const State& state, const Quantity& quantity,
-                         const ColourScale& scale) {
+SurfaceMesh surface_mesh(const Cloth& cloth, const SurfaceTopology& topology, const State& seen,
+                         const PictureSpace& space, const Quantity& quantity, const ColourScale& scale) {
   SurfaceMesh mesh;
-  mesh.indices = triangles;
-  mesh.vertices.reserve(state.position.size());
-  for (std::size_t mass = 0; mass < state.position.size(); ++mass)
-    mesh.vertices.push_back({to_glm(state.position.at(mass)), glm::vec3(0.0F), 0.0F});
-  mesh.colours.reserve(quantity.of_mass.size());
-  for (const double value : quantity.of_mass) mesh.colours.push_back(opaque(scale.at(value)));
+  mesh.indices = topology.indices;
+  mesh.places = topology.places;
+  mesh.spread = cloth.spread;
+  const std::vector<glm::vec3> masses = places_of_masses(seen);
+  add_vertices(mesh, cloth, topology, masses, space);
+  if (!quantity.of_mass.empty()) {
+    mesh.colours.reserve(mesh.vertices.size());
+    for (const double value : at_vertices(cloth, topology, quantity.of_mass))
+      mesh.colours.push_back(opaque(scale.at(value)));
+  }
   add_normals(mesh);
-  add_hollows(mesh);
+  add_hollows(mesh, cloth, topology, masses);
   return mesh;
 }
 

@@ -15,7 +15,8 @@ class ColourRange {
  public:
   explicit ColourRange(ColourBy by) : by_(by) {}
 
-  /// The values of a state: of its whole links, or for speed of its masses.
+  /// The values of a state: of its whole structural links, or for speed of its masses. What braces a sheet
+  /// against shear and bending stretches far more than its threads, and says less.
   void add(const Model& model, const State& state);
   void add(double value);
 

@@ -66,6 +66,8 @@ struct Look {
   Colour surface_colour{0.55, 0.12, 0.16};
   Colour surface_back_colour{0.42, 0.10, 0.13};
   Pattern pattern = Pattern::plain;
+  double thread_pitch = 0.0;        ///< m, between threads of the weave; 0: an eightieth of the shorter side
+  std::optional<double> hem_width;  ///< m; 0: none; left out: 0.018 of the cloth's shorter side
   MassShape mass_shape = MassShape::sphere;
   /// From a time of the scene (s) on, how many of its seconds pass in one of the film; rising times. Before
   /// the first it is 1.
