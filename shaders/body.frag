@@ -4,7 +4,7 @@
 
 in vec3 point;
 in vec3 outward;
-flat in vec3 painted;
+in vec3 painted;
 
 out vec4 pixel;
 

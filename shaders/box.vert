@@ -10,7 +10,7 @@ layout(location = 4) in vec4 colour;       // as displayed
 
 out vec3 point;
 out vec3 outward;
-flat out vec3 painted;
+out vec3 painted;
 
 void main() {
   int face = gl_VertexID / 6, corner = gl_VertexID % 6;

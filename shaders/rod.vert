@@ -1,22 +1,33 @@
 #version 330 core
-// A rod with round ends, or a ball: each half of a unit ball moved to its end.
+// The hull of two balls, each half of a unit ball moved to its end. The halves meet at the latitude where the
+// cone between the balls touches them, so that the surface is smooth across their seam. A squeeze makes both
+// balls flat: then it is the unsqueezed hull that is built, and squeezed.
 #include "lighting.glsl"
 
-layout(location = 0) in vec4 unit;   // xyz: on the ball, its axis along z; w: 0 at the start, 1 at the end
-layout(location = 1) in vec4 start;  // xyz: m, w: radius (m)
-layout(location = 2) in vec3 end;    // m
-layout(location = 3) in vec4 colour; // as displayed
+layout(location = 0) in vec4 unit;    // xy: unit vector around the axis; z: 0 at the seam's side or −1 and 1 at the tips; w: 0 at the start, 1 at the end
+layout(location = 1) in vec4 start;   // xyz: m, w: radius (m)
+layout(location = 2) in vec4 end;     // as start
+layout(location = 3) in vec3 squeeze; // what is at p is drawn at p − squeeze (squeeze · p)
+layout(location = 4) in vec4 start_colour; // as displayed
+layout(location = 5) in vec4 end_colour;
 
 out vec3 point;
 out vec3 outward;
-flat out vec3 painted;
+out vec3 painted;
+
+vec3 unsqueezed(vec3 v) { return v + squeeze * (dot(squeeze, v) / (1.0 - dot(squeeze, squeeze))); }
 
 void main() {
-  vec3 span = end - start.xyz;
-  vec3 axis = dot(span, span) > 0.0 ? normalize(span) : vec3(0, 1, 0);
+  vec3 span = unsqueezed(end.xyz - start.xyz);
+  float span_length = length(span);
+  vec3 axis = span_length > 0.0 ? span / span_length : vec3(0, 1, 0);
   vec3 right = normalize(cross(axis, abs(axis.y) < 0.9 ? vec3(0, 1, 0) : vec3(1, 0, 0)));
-  outward = right * unit.x + cross(axis, right) * unit.y + axis * unit.z;
-  point = mix(start.xyz, end, unit.w) + start.w * outward;
-  painted = colour.rgb;
+  float seam = asin(clamp((start.w - end.w) / max(span_length, 1e-12), -1.0, 1.0));
+  float latitude = mix(seam, sign(unit.z) * 1.57079633, abs(unit.z));
+  vec3 normal = cos(latitude) * (right * unit.x + cross(axis, right) * unit.y) + sin(latitude) * axis;
+  vec3 from_centre = mix(start.w, end.w, unit.w) * normal;
+  outward = normalize(unsqueezed(normal));
+  point = mix(start.xyz, end.xyz, unit.w) + from_centre - squeeze * dot(squeeze, from_centre);
+  painted = mix(start_colour.rgb, end_colour.rgb, unit.w);
   gl_Position = view_projection * vec4(point, 1.0);
 }

@@ -23,6 +23,19 @@ constexpr std::array ball_attributes{Attribute{4, GL_FLOAT, 0}};
 constexpr std::array rod_attributes{Attribute{4, GL_FLOAT, offsetof(RodRecord, start)},
                                     Attribute{3, GL_FLOAT, offsetof(RodRecord, end)},
                                     Attribute{4, GL_UNSIGNED_BYTE, offsetof(RodRecord, colour)}};
+constexpr std::array taper_attributes{Attribute{4, GL_FLOAT, offsetof(TaperedRod, start)},
+                                      Attribute{4, GL_FLOAT, offsetof(TaperedRod, end)},
+                                      Attribute{3, GL_FLOAT, offsetof(TaperedRod, squeeze)},
+                                      Attribute{4, GL_UNSIGNED_BYTE, offsetof(TaperedRod, start_colour)},
+                                      Attribute{4, GL_UNSIGNED_BYTE, offsetof(TaperedRod, end_colour)}};
+constexpr std::array torso_skin_attributes{Attribute{3, GL_FLOAT, offsetof(TorsoVertex, place)},
+                                           Attribute{3, GL_FLOAT, offsetof(TorsoVertex, outward)}};
+constexpr std::array torso_attributes{
+    Attribute{3, GL_FLOAT, offsetof(TorsoRecord, origin)},
+    Attribute{3, GL_FLOAT, offsetof(TorsoRecord, axes)},
+    Attribute{3, GL_FLOAT, offsetof(TorsoRecord, axes) + sizeof(glm::vec3)},
+    Attribute{3, GL_FLOAT, offsetof(TorsoRecord, axes) + 2 * sizeof(glm::vec3)},
+    Attribute{4, GL_UNSIGNED_BYTE, offsetof(TorsoRecord, colour)}};
 constexpr std::array box_attributes{
     Attribute{3, GL_FLOAT, offsetof(BoxRecord, centre)}, Attribute{3, GL_FLOAT, offsetof(BoxRecord, edges)},
     Attribute{3, GL_FLOAT, offsetof(BoxRecord, edges) + sizeof(glm::vec3)},
@@ -31,40 +44,39 @@ constexpr std::array box_attributes{
 constexpr GLsizei corners_of_a_box = 36;
 
 // How many sides a round thing may have.
-constexpr std::array round_sides{8, 12, 16, 20, 28, 40, 64};
+constexpr std::array round_sides{8, 12, 16, 20, 28, 40, 56, 80, 112};
 
-// As many sides as keep the outline within a fourth of a pixel of the circle.
+// As many sides as keep the outline within a fifth of a pixel of the circle.
 std::size_t round_for(float radius_in_pixels) {
-  const float tolerance = std::clamp(0.25F / std::max(radius_in_pixels, 0.1F), 0.0F, 1.0F);
+  const float tolerance = std::clamp(0.2F / std::max(radius_in_pixels, 0.1F), 0.0F, 1.0F);
   const float sides = std::numbers::pi_v<float> / std::acos(1.0F - tolerance);
   std::size_t which = 0;
   while (which + 1 < round_sides.size() && static_cast<float>(round_sides[which]) < sides) ++which;
   return which;
 }
 
-// Circles of latitude about z from the lower tip to the upper; the rim is there twice, once for either half.
+// Circles of latitude about z from the lower tip to the upper, as shaders/rod.vert reads them; the seam is
+// there twice, once for either half.
 std::vector<glm::vec4> ball_vertices(int sides) {
   const int rings = sides / 4;
   std::vector<glm::vec4> vertices;
   for (int ring = 0; ring <= 2 * rings + 1; ++ring) {
     const bool lower = ring <= rings;
-    const float latitude = 0.5F * std::numbers::pi_v<float> *
-                           static_cast<float>((lower ? ring : ring - 1) - rings) / static_cast<float>(rings);
+    const float latitude = static_cast<float>((lower ? ring : ring - 1) - rings) / static_cast<float>(rings);
     for (int side = 0; side < sides; ++side) {
       const float longitude =
           2.0F * std::numbers::pi_v<float> * static_cast<float>(side) / static_cast<float>(sides);
-      vertices.emplace_back(std::cos(latitude) * std::cos(longitude),
-                            std::cos(latitude) * std::sin(longitude), std::sin(latitude),
-                            lower ? 0.0F : 1.0F);
+      vertices.emplace_back(std::cos(longitude), std::sin(longitude), latitude, lower ? 0.0F : 1.0F);
     }
   }
   return vertices;
 }
 
-std::vector<GLuint> ball_triangles(int sides) {
+// Of rings of vertices, one above the other.
+std::vector<GLuint> ring_triangles(int sides, int bands) {
   std::vector<GLuint> indices;
   const auto count = static_cast<GLuint>(sides);
-  for (GLuint ring = 0; ring < 2 * (count / 4) + 1; ++ring)
+  for (GLuint ring = 0; ring < static_cast<GLuint>(bands); ++ring)
     for (GLuint side = 0; side < count; ++side) {
       const GLuint low = ring * count, next = (side + 1) % count;
       for (const GLuint corner :
@@ -72,6 +84,10 @@ std::vector<GLuint> ball_triangles(int sides) {
         indices.push_back(corner);
     }
   return indices;
+}
+
+int torso_bands(int sides) {
+  return 3 * sides / 4;
 }
 
 Defines with_look(Defines defines, const Look& look) {
@@ -197,11 +213,11 @@ void SurfacePainter::draw(Pass pass) const {
 RodPainter::Round::Round(const Gl& gl, int sides)
     : array(make_vertex_array(gl)),
       ball(gl, array, sizeof(glm::vec4), ball_attributes, 0),
-      rods(gl, array, sizeof(RodRecord), rod_attributes, 1, 1),
+      rods(gl, array, sizeof(TaperedRod), taper_attributes, 1, 1),
       triangles(gl) {
   const std::vector<glm::vec4> vertices = ball_vertices(sides);
   ball.upload(std::span(vertices));
-  triangles.upload(ball_triangles(sides));
+  triangles.upload(ring_triangles(sides, 2 * (sides / 4) + 1));
 }
 
 RodPainter::RodPainter(const Gl& gl, const ShaderLibrary& library, const Defines& defines)
@@ -210,11 +226,12 @@ RodPainter::RodPainter(const Gl& gl, const ShaderLibrary& library, const Defines
   for (const int sides : round_sides) rounds_.emplace_back(gl, sides);
 }
 
-void RodPainter::upload(const std::vector<RodRecord>& rods, float pixel) {
-  std::vector<std::vector<RodRecord>> sorted(rounds_.size());
-  for (const RodRecord& rod : rods) {
-    const float depth = std::min(glm::length(rod.start), glm::length(rod.end)) - rod.radius;
-    sorted[round_for(rod.radius / std::max(pixel * depth, 1e-6F))].push_back(rod);
+void RodPainter::upload(const std::vector<TaperedRod>& rods, float pixel) {
+  std::vector<std::vector<TaperedRod>> sorted(rounds_.size());
+  for (const TaperedRod& rod : rods) {
+    const float radius = std::max(rod.start_radius, rod.end_radius);
+    const float depth = std::min(glm::length(rod.start), glm::length(rod.end)) - radius;
+    sorted[round_for(radius / std::max(pixel * depth, 1e-6F))].push_back(rod);
   }
   for (std::size_t i = 0; i < rounds_.size(); ++i)
     rounds_[i].rods.upload(std::span(std::as_const(sorted[i])));
@@ -231,6 +248,52 @@ void RodPainter::draw(Pass pass) const {
     else
       gl_->draw_elements_instanced(GL_TRIANGLES, round.triangles.count(), GL_UNSIGNED_INT, nullptr,
                                    round.rods.count());
+  }
+}
+
+TorsoPainter::Skin::Skin(const Gl& gl, int sides)
+    : array(make_vertex_array(gl)),
+      skin(gl, array, sizeof(TorsoVertex), torso_skin_attributes, 0),
+      torsos(gl, array, sizeof(TorsoRecord), torso_attributes, 1, 2),
+      triangles(gl) {
+  const std::vector<TorsoVertex> vertices = torso_vertices(sides, torso_bands(sides));
+  skin.upload(std::span(vertices));
+  triangles.upload(ring_triangles(sides, torso_bands(sides)));
+}
+
+TorsoPainter::TorsoPainter(const Gl& gl, const ShaderLibrary& library, const Defines& defines)
+    : gl_(&gl),
+      programs_(gl, library, {"torso.vert", "body.frag", "nothing.frag"}, defines),
+      for_shadow_(gl, 16) {
+  for (const int sides : round_sides) skins_.emplace_back(gl, sides);
+}
+
+void TorsoPainter::upload(const std::vector<TorsoRecord>& torsos, float pixel) {
+  std::vector<std::vector<TorsoRecord>> sorted(skins_.size());
+  for (const TorsoRecord& torso : torsos) {
+    // Shoulders and hips are about a fifth of the height in radius.
+    const float radius = 0.2F * glm::length(torso.axes[0]);
+    sorted[round_for(radius / std::max(pixel * (glm::length(torso.origin) - radius), 1e-6F))].push_back(
+        torso);
+  }
+  for (std::size_t i = 0; i < skins_.size(); ++i)
+    skins_[i].torsos.upload(std::span(std::as_const(sorted[i])));
+  // A coarse skin that reached out of the fine one would throw shadows on it.
+  std::vector<TorsoRecord> slim = torsos;
+  for (TorsoRecord& torso : slim)
+    for (glm::vec3* axis : {&torso.axes[0], &torso.axes[2]}) *axis *= 0.9F;
+  for_shadow_.torsos.upload(std::span(std::as_const(slim)));
+}
+
+void TorsoPainter::draw(Pass pass) const {
+  if (for_shadow_.torsos.count() == 0) return;
+  program_for(programs_, pass).use();
+  for (const Skin& skin : pass == Pass::shadow ? std::span(&for_shadow_, 1) : std::span(skins_)) {
+    if (skin.torsos.count() == 0) continue;
+    gl_->bind_vertex_array(skin.array.name());
+    skin.triangles.bind();
+    gl_->draw_elements_instanced(GL_TRIANGLES, skin.triangles.count(), GL_UNSIGNED_INT, nullptr,
+                                 skin.torsos.count());
   }
 }
 

@@ -94,7 +94,7 @@ class RodPainter {
   RodPainter(const Gl& gl, const ShaderLibrary& library, const Defines& defines);
 
   /// `pixel`: a pixel's height (m) at a metre from the eye.
-  void upload(const std::vector<RodRecord>& rods, float pixel);
+  void upload(const std::vector<TaperedRod>& rods, float pixel);
   void draw(Pass pass) const;
 
  private:
@@ -110,6 +110,31 @@ class RodPainter {
   const Gl* gl_;
   PassPrograms programs_;
   std::vector<Round> rounds_;
+};
+
+/// Draws the trunks of bodies. Their roundness follows their size in the picture.
+class TorsoPainter {
+ public:
+  TorsoPainter(const Gl& gl, const ShaderLibrary& library, const Defines& defines);
+
+  /// `pixel`: a pixel's height (m) at a metre from the eye.
+  void upload(const std::vector<TorsoRecord>& torsos, float pixel);
+  void draw(Pass pass) const;
+
+ private:
+  // A skin of so many sides, and the trunks that are drawn with it.
+  struct Skin {
+    GlObject array;
+    VertexStream skin, torsos;
+    IndexStream triangles;
+
+    Skin(const Gl& gl, int sides);
+  };
+
+  const Gl* gl_;
+  PassPrograms programs_;
+  Skin for_shadow_;  // a coarse one will do
+  std::vector<Skin> skins_;
 };
 
 /// Draws boxes.

@@ -111,6 +111,7 @@ class Renderer::Drawing {
   SquarePainter spheres_, links_;
   SurfacePainter surface_;
   RodPainter rods_;
+  TorsoPainter torsos_;
   BoxPainter boxes_;
   LinesPainter lines_;
   Backdrop backdrop_;
@@ -129,6 +130,7 @@ Renderer::Drawing::Drawing(const GlContext& context, const Look& look, const Ren
       links_(link_painter(gl_, library_, defines_of(settings, look))),
       surface_(gl_, library_, look, defines_of(settings, look)),
       rods_(gl_, library_, defines_of(settings, look)),
+      torsos_(gl_, library_, defines_of(settings, look)),
       boxes_(gl_, library_, defines_of(settings, look)),
       lines_(gl_, library_, defines_of(settings, look)),
       backdrop_(gl_, library_, settings.size, settings.transparent) {
@@ -179,6 +181,7 @@ void Renderer::Drawing::upload(const Geometry& geometry) {
   links_.upload(geometry.links);
   if (geometry.surface.indices) surface_.upload(geometry.surface);
   rods_.upload(geometry.bodies.rods, pixel_height(geometry.pose, settings_.size));
+  torsos_.upload(geometry.bodies.torsos, pixel_height(geometry.pose, settings_.size));
   boxes_.upload(geometry.bodies.boxes);
   lines_.upload(geometry.lines, pixel_height(geometry.pose, settings_.size));
 }
@@ -199,6 +202,7 @@ void Renderer::Drawing::draw_shadow_map(const Geometry& geometry) {
     surface_.draw(Pass::shadow);
   }
   rods_.draw(Pass::shadow);
+  torsos_.draw(Pass::shadow);
   boxes_.draw(Pass::shadow);
   gl_.disable(GL_POLYGON_OFFSET_FILL);
   shadow_map_->bind_for_reading();
@@ -239,6 +243,7 @@ void Renderer::Drawing::draw_opaque(const Geometry& geometry) const {
   if (!geometry.surface.vertices.empty()) surface_.draw(Pass::colour);
   gl_.enable(GL_CULL_FACE);
   rods_.draw(Pass::colour);
+  torsos_.draw(Pass::colour);
   boxes_.draw(Pass::colour);
   lines_.draw_solid();
   gl_.disable(GL_CULL_FACE);

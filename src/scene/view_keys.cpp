@@ -65,9 +65,12 @@ Keys<Look> look_keys() {
           {.help = "whether the planes are drawn, or in a scene without any grid lines to see heights by"}),
       key<Look>("shadows", &Look::shadows, {.help = "whether things cast shadows"}),
       key<Look>("bones", &Look::bones,
-                {.help = "whether ragdolls are drawn as capsules, in place of their masses and links"}),
+                {.help = "whether ragdolls are drawn as bodies, in place of their masses and links"}),
       key<Look>("colliders", &Look::colliders,
                 {.help = "whether spheres, capsules and boxes to hit are drawn"}),
+      key<Look>("supports", &Look::supports,
+                {.help = "whether poles, rails, posts and brackets are drawn where pins are: what might hold "
+                         "them, and no part of the physics"}),
       key<Look>("theme", &Look::theme, {.help = "sky and ground"}),
       key<Look>(
           "colour_by", &Look::colour_by,
@@ -114,7 +117,8 @@ Keys<Look> look_keys() {
                  "of free masses: red, green, blue; text as \"#cc8c33\" works as well"),
       colour_key("pin_colour", &Look::pin_colour, "of pinned masses"),
       colour_key("link_colour", &Look::link_colour, "of links"),
-      colour_key("bone_colour", &Look::bone_colour, "of ragdolls"),
+      colour_key("bone_colour", &Look::bone_colour,
+                 "of a ragdoll; several have a hue each, of about its lightness"),
       colour_key("collider_colour", &Look::collider_colour, "of what there is to hit"),
       colour_key("surface_colour", &Look::surface_colour, "of the cloth's front"),
       colour_key("surface_back_colour", &Look::surface_back_colour, "of the cloth's back"),

@@ -126,20 +126,5 @@ TEST(Grounds, HideOnlyWhatReachesBelowThem) {
   EXPECT_LT(redness_at({0.0, -0.4, 0.5}), 20) << "below the ground";
 }
 
-TEST(Bodies, BonesThatMeetShareTheirJoint) {
-  Description description;
-  RagdollSpec doll;
-  doll.name = "doll";
-  description.ragdolls = {doll};
-  const Built scene = build(description);
-  const auto geometry = geometry_of(scene, bare_look(), straight_on());
-  const std::vector<RodRecord>& rods = geometry->bodies.rods;
-  for (std::size_t i = 0; i < rods.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      EXPECT_FALSE(rods[i].start == rods[j].start && rods[i].end == rods[j].end &&
-                   rods[i].radius == rods[j].radius && rods[i].colour == rods[j].colour)
-          << i << " and " << j << " are the same";
-}
-
 }  // namespace
 }  // namespace taut

@@ -107,7 +107,7 @@ inline CameraPose straight_on() {
 /// Nothing but what a test asks for.
 inline Look bare_look() {
   Look look;
-  look.masses = look.links = look.ground = look.shadows = false;
+  look.masses = look.links = look.ground = look.shadows = look.supports = false;
   return look;
 }
 

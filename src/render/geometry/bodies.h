@@ -18,15 +18,40 @@ struct BoxRecord {
   Rgba colour;
 };
 
-/// What is drawn as rods, balls and boxes.
-struct Bodies {
-  std::vector<RodRecord> rods;  ///< with round ends; balls where both ends are one point
-  std::vector<BoxRecord> boxes;
+/// The hull of two balls, as shaders/rod.vert reads it: a ball where they are one. Each ball is squeezed:
+/// what is at p from its centre is drawn at p − squeeze (squeeze · p), so that it is 1 − |squeeze|² as thick
+/// in that direction; none, and it is round.
+struct TaperedRod {
+  glm::vec3 start;     ///< m
+  float start_radius;  ///< m
+  glm::vec3 end;       ///< m
+  float end_radius;    ///< m
+  glm::vec3 squeeze;   ///< shorter than 1
+  Rgba start_colour, end_colour;
 };
 
-/// Adds the bones of ragdolls, and balls of a colour of their own at their joints.
-void add_bones(Bodies& bodies, const Model& model, const State& state, const Look& look,
-               const Quantity& quantity, const ColourScale& scale);
+/// A trunk (torso.h) in its own axes, as shaders/torso.vert reads it.
+struct TorsoRecord {
+  glm::vec3 origin;   ///< m
+  glm::vec3 axes[3];  ///< m
+  Rgba colour;
+};
+
+/// What is drawn as rods, balls, trunks and boxes.
+struct Bodies {
+  std::vector<TaperedRod> rods;
+  std::vector<TorsoRecord> torsos;
+  std::vector<BoxRecord> boxes;
+
+  bool empty() const { return rods.empty() && torsos.empty() && boxes.empty(); }
+};
+
+/// A rod of one colour. It is round.
+TaperedRod tapered_rod(const Vec3& start, double start_radius, const Vec3& end, double end_radius,
+                       const Colour& colour);
+/// A ball that is `thickness` times as thick as it is wide along an axis (unit length).
+TaperedRod squeezed_ball(const Vec3& centre, double radius, const Vec3& axis, double thickness,
+                         const Colour& colour);
 
 /// Adds something to hit; nothing for a plane.
 void add_shape(Bodies& bodies, const Shape& shape, const Colour& colour);

@@ -2,9 +2,11 @@
 
 #include <optional>
 
+#include "geometry/figures.h"
 #include "geometry/frame_block.h"
 #include "geometry/loose_threads.h"
 #include "geometry/picture_space.h"
+#include "geometry/supports.h"
 #include "geometry/view_matrices.h"
 #include "model/measures.h"
 
@@ -32,16 +34,29 @@ struct GeometryMaker::Parts {
   Vec3 anchor;                                      // m
   double size;                                      // m, of the scene
   std::optional<State> exact;                       // drawn as a ghost
+  std::vector<BodyParts> bodies;
   std::optional<State> start;                       // only where orientations are drawn
+  std::optional<SceneSupports> supports;            // only where they are drawn
   std::optional<Cloth> cloth;                       // only where a surface is drawn
   std::shared_ptr<const SurfaceTopology> topology;  // of the last surface
 };
 
 GeometryMaker::GeometryMaker(const Model& model, const State& start, const Look& look,
                              const std::optional<Sight>& sight, const std::optional<State>& exact)
-    : parts_(new Parts{model, look, radii(model, look), Vec3::Zero(), scene_size(model, start), exact, {}, {}, {}}) {
+    : parts_(new Parts{model,
+                       look,
+                       radii(model, look),
+                       Vec3::Zero(),
+                       scene_size(model, start),
+                       exact,
+                       body_parts(model),
+                       {},
+                       {},
+                       {},
+                       {}}) {
   if (start.position.size() > 0) parts_->anchor = start.position.at(0);
   if (look.masses && look.mass_shape == MassShape::box) parts_->start = start;
+  if (look.supports) parts_->supports.emplace(model, start, look, parts_->radii);
   if (look.surface && !model.triangles.empty()) {
     const float pixels_a_metre =
         sight ? 1.0F / (reach_of(sight->pose) * pixel_height(sight->pose, sight->size)) : 0.0F;
@@ -53,7 +68,7 @@ GeometryMaker::~GeometryMaker() = default;
 
 std::shared_ptr<const Geometry> GeometryMaker::make(const State& state, const CameraPose& pose,
                                                     const Trails* trails) {
-  const auto& [model, look, radii, anchor, size, exact, start, cloth, topology] = *parts_;
+  const auto& [model, look, radii, anchor, size, exact, bodies, start, supports, cloth, topology] = *parts_;
   const PictureSpace space(pose);
   const State seen = space.seen(state);
   const Quantity values = quantity(model, state, look.colour_by);
@@ -79,9 +94,10 @@ std::shared_ptr<const Geometry> GeometryMaker::make(const State& state, const Ca
   if (look.colliders)
     for (const Collider& collider : model.colliders)
       add_shape(geometry->bodies, space.seen(collider.shape), look.collider_colour);
-  if (look.bones) add_bones(geometry->bodies, model, seen, look, values, geometry->scale);
+  if (look.bones) add_figures(geometry->bodies, bodies, seen, look, values, geometry->scale);
   if (start)
     add_mass_boxes(geometry->bodies, model, space.seen(*start), seen, look, radii, values, geometry->scale);
+  if (supports) add_supports(geometry->bodies, parts_->supports->seen_with(pose.up), space, seen, look.theme);
   for (const Ground& ground : drawn_grounds(model, look, pose.up)) {
     const GroundPatch patch = ground_patch(ground, space, lines_a_period * grid_spacing(pose));
     // From below there is no ground in the way of the scene.

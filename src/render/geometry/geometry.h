@@ -9,6 +9,7 @@
 #include "geometry/lattice.h"
 #include "geometry/lines.h"
 #include "geometry/surface_mesh.h"
+#include "geometry/torso.h"
 #include "render/camera.h"
 #include "render/geometry.h"
 
@@ -33,8 +34,7 @@ struct Geometry {
   glm::dvec3 anchor{0.0};            ///< a place that no camera moves, for texels of shadows to keep to
 
   bool empty() const {
-    return spheres.empty() && links.empty() && lines.empty() && surface.vertices.empty() &&
-           bodies.rods.empty() && bodies.boxes.empty();
+    return spheres.empty() && links.empty() && lines.empty() && surface.vertices.empty() && bodies.empty();
   }
 };
 
@@ -44,13 +44,19 @@ template <typename Visit>
 void for_each_ball(const Geometry& geometry, const Visit& visit) {
   for (const SurfaceVertex& vertex : geometry.surface.vertices) visit(vertex.position, 0.0F);
   for (const SphereRecord& sphere : geometry.spheres) visit(sphere.centre, sphere.radius);
-  const auto visit_ends = [&](const auto& record) {
-    visit(record.start, record.radius);
-    visit(record.end, record.radius);
-  };
-  for (const RodRecord& link : geometry.links) visit_ends(link);
+  for (const RodRecord& link : geometry.links) {
+    visit(link.start, link.radius);
+    visit(link.end, link.radius);
+  }
   for_each_ball(geometry.lines, visit);
-  for (const RodRecord& rod : geometry.bodies.rods) visit_ends(rod);
+  for (const TaperedRod& rod : geometry.bodies.rods) {
+    visit(rod.start, rod.start_radius);
+    visit(rod.end, rod.end_radius);
+  }
+  for (const TorsoRecord& torso : geometry.bodies.torsos)
+    for (const glm::vec3& corner : torso_corners())
+      visit(torso.origin + corner.x * torso.axes[0] + corner.y * torso.axes[1] + corner.z * torso.axes[2],
+            0.0F);
   for (const BoxRecord& box : geometry.bodies.boxes)
     for (int corner = 0; corner < 8; ++corner)
       visit(box.centre + ((corner & 1) != 0 ? box.edges[0] : -box.edges[0]) +

@@ -41,8 +41,9 @@ struct Look {
   bool surface = false;  ///< the triangles of sheets
   bool ground = true;    ///< the scene's planes, or without any a level place with grid lines
   bool shadows = true;
-  bool bones = true;      ///< bodies as capsules, in place of their masses and links
+  bool bones = true;      ///< ragdolls as bodies, in place of their masses and links
   bool colliders = true;  ///< solids, but for planes
+  bool supports = true;   ///< what might hold the pins
   Theme theme = Theme::light;
   ColourBy colour_by = ColourBy::plain;
   ColourSteps colour_steps = ColourSteps::linear;
@@ -72,7 +73,7 @@ struct Look {
   /// From a time of the scene (s) on, how many of its seconds pass in one of the film; rising times. Before
   /// the first it is 1.
   std::vector<std::array<double, 2>> speed;
-  Colour bone_colour{0.86, 0.74, 0.60};
+  Colour bone_colour{0.86, 0.74, 0.60};  ///< of one body; several have hues around it
   Colour collider_colour{0.62, 0.64, 0.67};
 };
 
