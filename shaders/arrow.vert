@@ -9,7 +9,7 @@ layout(location = 3) in vec4 colour;  // as displayed
 
 out vec3 point;
 out vec3 outward;
-flat out vec3 painted;
+out vec3 painted;
 
 const float head_width = 3.0, head_length = 8.5;  // radii of the shaft; width as in lines.h
 
