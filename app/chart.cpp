@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -31,7 +34,7 @@ namespace {
 struct ChartFlags {
   std::vector<std::string> scenes, sets, methods, errors;
   std::string horizon, budget = "60s", folder = "out/chart";
-  bool all = false, plans = false, overwrite = false, json = false, quiet = false;
+  bool all = false, plans = false, overwrite = false, draw_only = false, json = false, quiet = false;
 };
 
 ErrorKind parse_error(const std::string& text) {
@@ -83,7 +86,46 @@ void print_summary(const Chart& chart, const std::string& folder) {
              chart.complete() ? "" : "; running the same again goes on", folder);
 }
 
+// What charts there are, on one page and in tables.
+void write_overviews(const std::vector<Chart>& charts, const std::filesystem::path& folder) {
+  write_chart_page(charts, folder);
+  write_file(folder / "which-method.md", cheapest_method_table(charts) + "\n" + which_method_table(charts));
+}
+
+void print_json(const std::vector<Chart>& charts) {
+  std::vector<std::string> parts(charts.size());
+  std::ranges::transform(charts, parts.begin(), chart_json);
+  fmt::print("[{}]\n", fmt::join(parts, ","));
+}
+
+// Draws what the folder holds, without a look at the scenes.
+int draw_charts(const ChartFlags& flags) {
+  if (flags.overwrite || flags.plans)
+    throw BadRequest("--draw-only runs nothing: it goes with neither --overwrite nor --plans");
+  const std::filesystem::path folder = flags.folder;
+  std::vector<std::string> names = flags.scenes;
+  if (flags.all)
+    for (const std::filesystem::path& file : all_scene_files()) names.push_back(file.stem().string());
+  if (names.empty()) throw BadRequest("chart needs a scene, or --all");
+  require_gnuplot();
+  std::vector<Chart> charts;
+  int status = exit_done;
+  for (const std::string& name : names) {
+    const std::filesystem::path file = folder / (std::filesystem::path(name).stem().string() + ".json");
+    std::ifstream stream(file);
+    if (!stream)
+      throw BadRequest(fmt::format("there is no {}: run the same without --draw-only", file.string()));
+    charts.push_back(chart_from_json({std::istreambuf_iterator<char>(stream), {}}, file.string()));
+    if (!charts.back().complete()) status = exit_incomplete;
+  }
+  for (const Chart& chart : charts) draw_chart(chart, folder);
+  write_overviews(charts, folder);
+  if (flags.json) print_json(charts);
+  return status;
+}
+
 int chart(const ChartFlags& flags) {
+  if (flags.draw_only) return draw_charts(flags);
   const ChartRequest request = request_from(flags);
   const std::vector<Scene> scenes = load_all(flags);
   require_gnuplot();
@@ -109,15 +151,9 @@ int chart(const ChartFlags& flags) {
   } catch (const Interrupted&) {
     return report_interrupted(interrupts, "running the same again goes on, in " + flags.folder);
   }
-  write_chart_page(charts, flags.folder);
-  write_file(std::filesystem::path(flags.folder) / "which-method.md",
-             cheapest_method_table(charts) + "\n" + which_method_table(charts));
+  write_overviews(charts, flags.folder);
   if (flags.plans) write_file(std::filesystem::path(flags.folder) / "plans.md", plan_table(verdicts));
-  if (flags.json) {
-    std::vector<std::string> parts(charts.size());
-    std::ranges::transform(charts, parts.begin(), chart_json);
-    fmt::print("[{}]\n", fmt::join(parts, ","));
-  }
+  if (flags.json) print_json(charts);
   return status;
 }
 
@@ -147,6 +183,10 @@ void add_chart(CommandLine& program) {
   verb->add_option("-o,--output", flags->folder, "Folder for charts, tables and chart.html")
       ->capture_default_str();
   verb->add_flag("--overwrite", flags->overwrite, "Replace what was measured there before");
+  verb->add_flag(
+      "--draw-only", flags->draw_only,
+      "Run nothing, draw what SCENE.json in the folder says, whatever build has written it; status 3 where "
+      "cases are missing");
   verb->add_flag("--json", flags->json, "Print an array of the charts' data as JSON on stdout");
   verb->add_flag("--quiet", flags->quiet, "No progress and no summary");
   verb->footer(

@@ -67,7 +67,7 @@ int sag(const SagFlags& flags) {
   const int status = unless_interrupted(interrupts, "nothing was written", [&] {
     study = study_sag(
         scene, passes, [&](int done) { progress.update(done); }, stop_test(interrupts));
-    return study ? exit_done : throw Interrupted();
+    return exit_done;
   });
   progress.finish();
   if (status != exit_done) return status;

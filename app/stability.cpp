@@ -132,13 +132,18 @@ void add_stability(CommandLine& program) {
   verb->add_option("--shard", flags->shard,
                    "Only part i of n: i/n [SLURM_ARRAY_TASK_ID and SLURM_ARRAY_TASK_COUNT]. Run without it "
                    "afterwards to draw");
-  verb->add_flag("--draw-only", flags->draw_only,
-                 "Run nothing, draw what is there; status 3 where columns are missing");
+  verb->add_flag(
+      "--draw-only", flags->draw_only,
+      "Run nothing, draw what is there, whatever build has made it; status 3 where columns are missing");
   verb->add_flag("--json", flags->json, "Print the maps as JSON on stdout");
   verb->add_flag("--quiet", flags->quiet, "No progress and no summary");
   verb->footer(
-      "Every run has the guard off: no step is halved. Colour is the position error over the total link\n"
-      "length; hatched is what diverged; circles are the measured edge, the line is what theory predicts.\n\n"
+      "Every run has the guard off: no step is halved. Light blue is where the energy held, dark red where "
+      "it\n"
+      "did not, each darker with the position error over the length of all links; hatched is what diverged "
+      "or\n"
+      "was refused; circles are the measured edge, the line is what theory predicts. overview.txt is the\n"
+      "pictures' caption.\n\n"
       "Example:\n  taut stability level-chain --methods rattle,xpbd --axes step,mass-ratio");
   verb->action([flags] { return stability(*flags); });
 }

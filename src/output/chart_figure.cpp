@@ -2,84 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "figure_layout.h"
+#include "output/plot_colour.h"
 
 namespace taut {
 namespace {
 
-constexpr int figure_width = 1800;                                // pixels
-constexpr int left = 200, right = 50, plot_height = 920;          // pixels
-constexpr int title_room = 120, least_top = 150;                  // pixels
-constexpr int axis_room = 175, note_line = 36;                    // pixels
-constexpr std::size_t note_letters = 99;                          // a line
-constexpr double letter_width = 0.62 * plot_letters;              // pixels, about
-constexpr double name_gap = 16.0;                                 // pixels, left of a curve's name
-constexpr double small_letter_width = 0.62 * plot_small_letters;  // pixels, about
-
-// A logarithmic axis and where it lies on the picture.
-struct Axis {
-  double low, high;  // of the numbers
-  double from, to;   // pixels
-
-  double pixel(double value) const {
-    return from + (to - from) * std::log(value / low) / std::log(high / low);
-  }
-};
-
-struct Axes {
-  Axis x, y;
-};
-
-Axes axes_of(const ChartFigure& figure) {
-  constexpr double big = std::numeric_limits<double>::max();
-  double x_low = big, x_high = 0.0, y_low = big, y_high = 0.0;
-  for (const FigureCurve& curve : figure.curves)
-    for (const FigurePoint& point : curve.points) {
-      x_low = std::min(x_low, point.x);
-      x_high = std::max(x_high, point.x);
-      y_low = std::min(y_low, point.y);
-      y_high = std::max(y_high, point.y);
-    }
-  if (x_high == 0.0) x_low = y_low = 0.1, x_high = y_high = 1.0;
-  // Room at the left for names, above for those that make way for others, below for those of the front.
-  std::size_t longest = 0;
-  for (const FigureCurve& curve : figure.curves) longest = std::max(longest, curve.name.size());
-  for (const FigureLabel& label : figure.front) longest = std::max(longest, label.text.size());
-  const double plot_width = figure_width - left - right;
-  const double names = std::min(0.4, (letter_width * static_cast<double>(longest) + 20.0) / plot_width);
-  const double decades = std::max(1.0, std::log10(x_high / x_low));
-  const double floors = std::max(1.0, std::log10(y_high / y_low));
-  return {{x_low * std::pow(10.0, -decades * names / (1.0 - names)), x_high * std::pow(10.0, 0.04 * decades),
-           left, figure_width - right},
-          {y_low * std::pow(10.0, -0.09 * floors), y_high * std::pow(10.0, 0.12 * floors), 0.0, plot_height}};
-}
-
-// Lines of at most so many characters, broken at spaces.
-std::vector<std::string> wrapped(const std::vector<std::string>& sentences) {
-  std::vector<std::string> lines;
-  for (const std::string& sentence : sentences) {
-    std::string line;
-    std::size_t letters = 0;
-    for (std::size_t at = 0; at < sentence.size();) {
-      const std::size_t end = std::min(sentence.find(' ', at), sentence.size());
-      const std::string word = sentence.substr(at, end - at);
-      const auto length = static_cast<std::size_t>(std::ranges::count_if(
-          word, [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U; }));
-      if (letters > 0 && letters + 1 + length > note_letters) {
-        lines.push_back(line);
-        line.clear();
-        letters = 0;
-      }
-      line += (letters > 0 ? " " : "") + word;
-      letters += length + (letters > 0 ? 1 : 0);
-      at = end + 1;
-    }
-    lines.push_back(line);
-  }
-  return lines;
-}
+constexpr double room_left = 200, room_above = 150, room_below = 245;  // pixels around the plot
+constexpr double page_margin = 30;                                     // pixels
+constexpr std::string_view faint_grey = "#8c8c8c";                     // of leaders and guides
 
 std::string data_block(const std::string& name, const std::vector<std::pair<double, double>>& points) {
   std::string block = fmt::format("${} << EOD\n", name);
@@ -87,192 +20,174 @@ std::string data_block(const std::string& name, const std::vector<std::pair<doub
   return block + "EOD\n";
 }
 
-// A rectangle in pixels from the plot's lower left.
-struct LabelBox {
-  double left, right, low, high;
-
-  bool meets(const LabelBox& other) const {
-    return left < other.right && other.left < right && low < other.high && other.low < high;
-  }
-};
-
-// Where the name of a place on the front stands: below and left of it, where nothing else is, for no point is
-// better.
-LabelBox front_box(const FigureLabel& label, const Axes& axes) {
-  const double x = axes.x.pixel(label.x) - 0.6 * plot_letters, y = axes.y.pixel(label.y) - 0.9 * plot_letters;
-  const double half = 0.6 * plot_small_letters;
-  return {x - small_letter_width * static_cast<double>(label.text.size()), x, y - half, y + half};
-}
-
-// Those names of the front that find room beside each other.
-std::vector<const FigureLabel*> front_names(const ChartFigure& figure, const Axes& axes) {
-  std::vector<const FigureLabel*> names;
-  for (const FigureLabel& label : figure.front) {
-    const bool free = std::ranges::none_of(names, [&](const FigureLabel* other) {
-      return front_box(*other, axes).meets(front_box(label, axes));
-    });
-    if (free && !label.text.empty()) names.push_back(&label);
-  }
-  return names;
-}
-
-// A curve's name and where it stands, in pixels from the plot's lower left.
-struct NameTag {
-  const FigureCurve* curve;
-  double x, y, point_x, point_y;
-
-  LabelBox box() const {
-    const double half = 0.62 * plot_letters;
-    return {x - letter_width * static_cast<double>(curve->name.size()) - name_gap, x + 4.0, y - half,
-            y + half};
-  }
-};
-
-std::vector<LabelBox> obstacles(const ChartFigure& figure, const Axes& axes) {
-  std::vector<LabelBox> boxes;
-  for (const FigureLabel* label : front_names(figure, axes)) boxes.push_back(front_box(*label, axes));
-  for (const FigureCurve& curve : figure.curves)
-    for (const FigurePoint& point : curve.points) {
-      const double x = axes.x.pixel(point.x), y = axes.y.pixel(point.y);
-      if (point.on_line) boxes.push_back({x - 6.0, x + 6.0, y - 6.0, y + 6.0});
-    }
-  return boxes;
-}
-
-// Names stand at the end of smallest error, moved up until they meet nothing.
-std::vector<NameTag> place_names(const ChartFigure& figure, const Axes& axes) {
-  std::vector<NameTag> tags;
-  for (const FigureCurve& curve : figure.curves) {
-    const FigurePoint* end = nullptr;
-    for (const FigurePoint& point : curve.points)
-      if (point.on_line && (end == nullptr || point.x < end->x)) end = &point;
-    if (end == nullptr) continue;
-    const double x = axes.x.pixel(end->x), y = axes.y.pixel(end->y);
-    tags.push_back({&curve, x - 22.0, y, x, y});
-  }
-  std::ranges::sort(tags, {}, &NameTag::y);
-  std::vector<LabelBox> taken = obstacles(figure, axes);
-  for (NameTag& tag : tags) {
-    while (std::ranges::any_of(taken, [&](const LabelBox& box) { return box.meets(tag.box()); }))
-      tag.y += 6.0;
-    taken.push_back(tag.box());
-  }
-  return tags;
-}
-
-// The whole picture, in pixels: below the plot as many notes as there are, above it the title, and between
-// the two whatever names stand higher than the plot.
+// The whole picture; places on it as gnuplot's screen coordinates.
 struct Canvas {
-  int height, bottom;  // of the picture, and of the plot above its lower edge
+  const FigureLayout& layout;
 
-  Canvas(std::size_t notes, const std::vector<NameTag>& tags)
-      : height(0), bottom(axis_room + note_line * static_cast<int>(notes) + 10) {
-    double highest = 0.0;
-    for (const NameTag& tag : tags) highest = std::max(highest, tag.box().high);
-    const int overhang = static_cast<int>(std::ceil(highest)) - plot_height;
-    height = bottom + plot_height + std::max(least_top, title_room + overhang);
+  int width() const { return static_cast<int>(std::ceil(room_left + layout.width + layout.margin)); }
+  int height() const { return static_cast<int>(room_above + layout.height + room_below); }
+  std::string at(double x, double y) const {
+    return fmt::format("screen {:.5f},{:.5f}", (room_left + x) / width(), (room_below + y) / height());
   }
-
-  double x(double pixel) const { return pixel / figure_width; }
-  double y(double pixel) const { return (bottom + pixel) / height; }
 };
 
-std::string tag_commands(const std::vector<NameTag>& tags, const Canvas& canvas) {
+std::string label(const Canvas& canvas, std::string_view text, double x, double y, std::string_view how,
+                  std::string_view colour, int letters) {
+  return fmt::format("set label {} at {} {} front font ',{}' tc rgb '{}'\n", plot_text(text), canvas.at(x, y),
+                     how, letters, colour);
+}
+
+std::string label(const Canvas& canvas, const PlacedText& text) {
+  return label(canvas, text.text, text.box.left, 0.5 * (text.box.low + text.box.high), "left", plot_ink,
+               figure_small_letters);
+}
+
+std::string line(const Canvas& canvas, const LabelLine& line, std::string_view how) {
+  return fmt::format("set arrow from {} to {} nohead {}\n", canvas.at(line.from_x, line.from_y),
+                     canvas.at(line.to_x, line.to_y), how);
+}
+
+// How the markers of a curve are drawn: a filled one, then its outline, each of a size times `size`.
+std::vector<std::string> markers_of(const FigureCurve& curve, double size) {
+  const PlotMarker marker = plot_marker(curve.style);
+  const std::string_view colour = plot_colour(curve.style);
+  if (marker.filled == marker.open)
+    return {fmt::format("pt {} ps {:.3g}*marker lw 4 lc rgb '{}'", marker.open, size, colour)};
+  return {fmt::format("pt {} ps {:.3g}*marker lc rgb '{}'", marker.filled, size,
+                      curve.second ? std::string_view("#ffffff") : colour),
+          fmt::format("pt {} ps {:.3g}*marker lw 3 lc rgb '{}'", marker.open, size, colour)};
+}
+
+std::string dashes_of(const FigureCurve& curve) {
+  return curve.second ? "dt (11,7)" : "dt 1";
+}
+
+constexpr double marker_size = 2.0;
+
+// From a curve's end across to the margin, up or down to the name, a piece of the curve, and the name.
+std::string name_commands(const ChartFigure& figure, const FigureLayout& layout, const Canvas& canvas) {
   std::string commands;
-  for (const NameTag& tag : tags) {
-    const double x = canvas.x(tag.x), y = canvas.y(tag.y);
-    if (std::abs(tag.y - tag.point_y) > 12.0)
-      commands += fmt::format(
-          "set arrow from screen {:.5f},{:.5f} to screen {:.5f},{:.5f} nohead lc rgb '{}' lw 1.5\n",
-          x + 0.002, y, canvas.x(tag.point_x), canvas.y(tag.point_y), plot_colour(tag.curve->colour));
-    commands += fmt::format("set label {} at screen {:.5f},{:.5f} right front tc rgb '{}'\n",
-                            plot_text(tag.curve->name), x, y, plot_colour(tag.curve->colour));
+  for (const NameTag& tag : layout.names) {
+    const FigureCurve& curve = figure.curves[tag.curve];
+    const std::string_view colour = plot_colour(curve.style);
+    const std::string thin = fmt::format("back lw 1.2 lc rgb '{}'", faint_grey);
+    const double bend = layout.width + 8.0, sample = layout.width + figure_leader;
+    if (bend - tag.point_x > 20.0)
+      commands += line(canvas, {tag.point_x + 14.0, tag.point_y, bend, tag.point_y}, thin);
+    commands += line(canvas, {bend, tag.point_y, sample - 6.0, tag.y}, thin);
+    commands += line(canvas, {sample, tag.y, sample + figure_sample, tag.y},
+                     fmt::format("front lw 4 {} lc rgb '{}'", dashes_of(curve), colour));
+    for (const std::string& marker : markers_of(curve, marker_size))
+      commands += fmt::format("set label '' at {} front point {}\n",
+                              canvas.at(sample + 0.5 * figure_sample, tag.y), marker);
+    commands += label(canvas, curve.name, sample + figure_sample + figure_name_gap, tag.y, "left",
+                      plot_text_colour(curve.style), figure_name_letters);
   }
   return commands;
 }
 
-std::string front_commands(const ChartFigure& figure, const Axes& axes, const Canvas& canvas) {
+std::string guide_commands(const FigureLayout& layout, const Canvas& canvas) {
   std::string commands;
-  for (const FigureLabel* label : front_names(figure, axes)) {
-    const LabelBox box = front_box(*label, axes);
-    commands += fmt::format("set label {} at screen {:.5f},{:.5f} right front font ',{}' tc rgb '{}'\n",
-                            plot_text(label->text), canvas.x(box.right), canvas.y(0.5 * (box.low + box.high)),
-                            plot_small_letters, plot_ink);
+  for (const OrderGuide& guide : layout.guides) {
+    commands += line(canvas, guide.line, fmt::format("back lw 2 lc rgb '{}'", faint_grey));
+    commands += label(canvas, guide.name);
   }
   return commands;
 }
 
-std::string text_commands(const ChartFigure& figure, const std::vector<std::string>& notes,
-                          const Canvas& canvas) {
-  const double margin = canvas.x(30.0);
+std::string level_commands(const ChartFigure& figure, const FigureLayout& layout, const Canvas& canvas) {
+  if (!layout.level) return "";
+  std::string commands;
+  if (layout.level_within) {
+    const double y = layout.y.pixel(figure.level->y);
+    commands +=
+        line(canvas, {0.0, y, layout.width, y}, fmt::format("back lw 2.5 dt (3,4) lc rgb '{}'", plot_ink));
+  }
+  return commands + label(canvas, *layout.level);
+}
+
+std::string text_commands(const ChartFigure& figure, const FigureLayout& layout, const Canvas& canvas) {
+  const double start = page_margin - room_left, top = layout.height + room_above;
   std::string commands =
-      fmt::format("set label {} at screen {:.5f},{:.5f} left font ',{}' tc rgb '{}'\n",
-                  plot_text(figure.title), margin, 1.0 - 45.0 / canvas.height, plot_letters + 8, plot_ink);
-  commands += fmt::format("set label {} at screen {:.5f},{:.5f} left tc rgb '{}'\n",
-                          plot_text(figure.subtitle), margin, 1.0 - 100.0 / canvas.height, plot_ink);
-  commands +=
-      fmt::format("set label {} at screen {:.5f},{:.5f} center tc rgb '{}'\n", plot_text(figure.x_label),
-                  canvas.x(0.5 * (left + figure_width - right)), canvas.y(-122.0), plot_ink);
-  commands += fmt::format("set label {} at screen {:.5f},{:.5f} center rotate by 90 tc rgb '{}'\n",
-                          plot_text(figure.y_label), canvas.x(35.0), canvas.y(0.5 * plot_height), plot_ink);
-  double y = -axis_room;
-  for (const std::string& note : notes) {
-    commands += fmt::format("set label {} at screen {:.5f},{:.5f} left font ',{}' tc rgb '{}'\n",
-                            plot_text(note), margin, canvas.y(y), plot_small_letters, plot_ink);
-    y -= note_line;
-  }
+      label(canvas, figure.title, start, top - 45.0, "left", plot_ink, plot_letters + 6) +
+      label(canvas, figure.subtitle, start, top - 102.0, "left", plot_ink, figure_name_letters) +
+      label(canvas, figure.x_label, 0.5 * layout.width, -122.0, "center", plot_ink, plot_letters) +
+      label(canvas, figure.y_label, 38.0 - room_left, 0.5 * layout.height, "center rotate by 90", plot_ink,
+            plot_letters) +
+      label(canvas, figure.note, start, 32.0 - room_below, "left", plot_ink, figure_small_letters);
+  commands += label(canvas, "more accurate →", layout.width, -170.0, "right", plot_ink, figure_small_letters);
   return commands;
 }
 
-std::string axis_commands(const Axes& axes, const Canvas& canvas) {
-  std::string commands = fmt::format("set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\n",
-                                     canvas.x(left), canvas.x(figure_width - right));
-  commands += fmt::format("set tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n",
-                          canvas.y(plot_height), canvas.y(0.0));
-  commands += fmt::format("set logscale xy\nset xrange [{:.9g}:{:.9g}]\nset yrange [{:.9g}:{:.9g}]\n",
-                          axes.x.low, axes.x.high, axes.y.low, axes.y.high);
-  const int step = axes.x.high / axes.x.low > 1e12 ? 100 : 10;
-  commands += fmt::format(
-      "set format xy '10^{{%T}}'\nset xtics {}\nset ytics 10\nset mxtics 10\nset mytics 10\n", step);
-  return commands;
+// Marks at powers of ten and small ones between them. Where an axis has fewer than two powers, twice and five
+// times them say how large it is, too.
+// `room`: pixels that a text takes along the axis.
+std::string tic_commands(char axis, const FigureAxis& range, double room) {
+  constexpr double few = 1.7;  // decades
+  const bool plain = range.decades() < few;
+  const int stride = static_cast<int>(std::ceil(room * range.decades() / std::abs(range.to - range.from)));
+  std::string tics;
+  for (int power = static_cast<int>(std::floor(std::log10(range.low))); power <= std::log10(range.high);
+       ++power)
+    for (int digit = 1; digit < 10; ++digit) {
+      const double value = digit * std::pow(10.0, power);
+      if (value < range.low || value > range.high) continue;
+      const bool named = plain ? digit == 1 || digit == 2 || digit == 5 : digit == 1 && power % stride == 0;
+      const std::string text = !named  ? ""
+                               : plain ? fmt::format("{:g}", value)
+                                       : fmt::format("10^{{{}}}", power);
+      tics += fmt::format("{}'{}' {:.9g} {}", tics.empty() ? "" : ", ", text, value, named ? 0 : 1);
+    }
+  return fmt::format("set {}tics font ',{}' ({})\n", axis, figure_name_letters, tics);
 }
 
-// The curves as data, and the command that plots them.
+std::string axis_commands(const FigureLayout& layout, const Canvas& canvas) {
+  const double width = canvas.width(), height = canvas.height();
+  return fmt::format("set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\n", room_left / width,
+                     (room_left + layout.width) / width) +
+         fmt::format("set tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n",
+                     (room_below + layout.height) / height, room_below / height) +
+         fmt::format("set logscale xy\nset xrange [{:.9g}:{:.9g}]\nset yrange [{:.9g}:{:.9g}]\n",
+                     layout.x.high, layout.x.low, layout.y.low, layout.y.high) +
+         tic_commands('x', layout.x, 105.0) + tic_commands('y', layout.y, 60.0);
+}
+
+// The curves as data, and the command that plots them: the front and faint dots, then lines, then markers.
 std::string curve_commands(const ChartFigure& figure) {
   std::vector<std::pair<double, double>> front;
   for (const FigureLabel& point : figure.front) front.emplace_back(point.x, point.y);
   std::string data = data_block("front", front);
-  std::string plots = "plot $front with lines lw 16 lc rgb '#e2e2e2'";
+  std::string dots_drawn = "plot $front with lines lw 16 lc rgb '#e4e4e4'", lines_drawn, markers_drawn;
   for (std::size_t i = 0; i < figure.curves.size(); ++i) {
     const FigureCurve& curve = figure.curves[i];
-    std::vector<std::pair<double, double>> line, dots;
+    std::vector<std::pair<double, double>> on_line, dots;
     for (const FigurePoint& point : curve.points)
-      (point.on_line ? line : dots).emplace_back(point.x, point.y);
-    const std::string_view colour = plot_colour(curve.colour);
+      (point.on_line ? on_line : dots).emplace_back(point.x, point.y);
+    const std::string_view colour = plot_colour(curve.style);
     if (!dots.empty()) {
       data += data_block(fmt::format("dots{}", i), dots);
-      plots += fmt::format(", \\\n $dots{} with points pt 7 ps 0.9 lc rgb '#a0{}'", i, colour.substr(1));
+      dots_drawn +=
+          fmt::format(", \\\n $dots{} with points pt 7 ps 0.8*marker lc rgb '#90{}'", i, colour.substr(1));
     }
-    if (!line.empty()) {
-      data += data_block(fmt::format("line{}", i), line);
-      plots += fmt::format(", \\\n $line{} with linespoints pt 7 ps 1.6 lw 4 dt {} lc rgb '{}'", i,
-                           curve.dashed ? 2 : 1, colour);
-    }
+    if (on_line.empty()) continue;
+    data += data_block(fmt::format("line{}", i), on_line);
+    lines_drawn += fmt::format(", \\\n $line{} with lines lw 4 {} lc rgb '{}'", i, dashes_of(curve), colour);
+    for (const std::string& marker : markers_of(curve, marker_size))
+      markers_drawn += fmt::format(", \\\n $line{} with points {}", i, marker);
   }
-  return data + plots + "\n";
+  return data + dots_drawn + lines_drawn + markers_drawn + "\n";
 }
 
 }  // namespace
 
 PlotScript figure_script(const ChartFigure& figure) {
-  const std::vector<std::string> notes = wrapped(figure.notes);
-  const Axes axes = axes_of(figure);
-  const std::vector<NameTag> tags = place_names(figure, axes);
-  const Canvas canvas(notes.size(), tags);
-  std::string commands = axis_commands(axes, canvas) + text_commands(figure, notes, canvas) +
-                         front_commands(figure, axes, canvas) + tag_commands(tags, canvas) +
-                         curve_commands(figure);
-  return {std::move(commands), {figure_width, canvas.height}};
+  const FigureLayout layout = layout_of(figure);
+  const Canvas canvas{layout};
+  std::string commands = axis_commands(layout, canvas) + text_commands(figure, layout, canvas) +
+                         guide_commands(layout, canvas) + level_commands(figure, layout, canvas) +
+                         name_commands(figure, layout, canvas);
+  for (const PlacedText& text : layout.front) commands += label(canvas, text);
+  return {commands + curve_commands(figure), {canvas.width(), canvas.height()}};
 }
 
 }  // namespace taut

@@ -2,28 +2,19 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <fstream>
+#include <iterator>
 #include <span>
 
 #include "base/failure.h"
 #include "output/atomic_file.h"
 #include "output/child_process.h"
+#include "output/plot_colour.h"
 
 namespace taut {
 namespace {
 
 constexpr std::string_view font = "DejaVu Sans";
-
-constexpr std::array<std::string_view, 8> palette{
-    "#0072b2",  // blue
-    "#d55e00",  // vermilion
-    "#009e73",  // bluish green
-    "#cc79a7",  // reddish purple
-    "#e69f00",  // orange
-    "#56b4e9",  // sky blue
-    "#000000",  // black
-    "#b8a900",  // yellow, darkened: the original can't be read on white
-};
 
 std::filesystem::path gnuplot_program() {
   if (auto program = find_program("gnuplot")) return *program;
@@ -38,14 +29,34 @@ std::string single_quoted(std::string_view text) {
   return result + "'";
 }
 
+// Both terminals show letters and markers of the same size. Those of this one are letters of points, of which
+// three make four pixels.
 std::string png_terminal(Size size) {
-  return fmt::format("set terminal pngcairo enhanced background '#ffffff' size {},{} font '{},{}'\n",
-                     size.width, size.height, font, plot_letters);
+  return fmt::format(
+      "set terminal pngcairo enhanced background '#ffffff' size {},{} font '{},{}'\nmarker = 1\n", size.width,
+      size.height, font, plot_letters);
 }
 
+// Here letters are of pixels, and markers grow with them.
 std::string svg_terminal(Size size) {
-  return fmt::format("set terminal svg enhanced background '#ffffff' size {},{} font '{},{}'\n", size.width,
-                     size.height, font, plot_letters);
+  return fmt::format(
+      "set terminal svg enhanced background '#ffffff' size {},{} font '{},{}' fontscale 1.3333\nmarker = "
+      "0.31\n",
+      size.width, size.height, font, plot_letters);
+}
+
+// Cells of an image are to stay sharp however large a viewer shows them.
+void keep_images_sharp(const PendingFile& file) {
+  constexpr std::string_view begin = "<image ",
+                             sharp = "style='image-rendering:optimizeSpeed;image-rendering:pixelated' ";
+  std::ifstream stream(file.temporary_name(), std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  stream.close();
+  for (std::size_t at = text.find(begin); at != std::string::npos; at = text.find(begin, at + 1))
+    text.insert(at + begin.size(), sharp);
+  std::ofstream sharpened(file.temporary_name(), std::ios::binary);
+  if (!(sharpened << text << std::flush))
+    throw RunFailure(fmt::format("can't write {}", file.final_name().string()));
 }
 
 void run_gnuplot(const std::string& terminal, const PlotScript& plot, const PendingFile& file) {
@@ -74,15 +85,12 @@ std::string plot_text(std::string_view text) {
   return single_quoted(escaped);
 }
 
-std::string_view plot_colour(std::size_t i) {
-  return palette[i % palette.size()];
-}
-
 std::string plot_style() {
   std::string style = "set encoding utf8\n";
-  for (std::size_t i = 0; i < palette.size(); ++i)
-    style += fmt::format("set linetype {0} lc rgb '{1}' lw 3 pt 7 ps 1.4\n", i + 1, palette[i]);
-  style += fmt::format("set linetype cycle {}\n", palette.size());
+  for (std::size_t i = 0; i < plot_styles; ++i)
+    style += fmt::format("set linetype {} lc rgb '{}' lw 3 pt {} ps 1.8*marker\n", i + 1, plot_colour(i),
+                         plot_marker(i).filled);
+  style += fmt::format("set linetype cycle {}\n", plot_styles);
   style += fmt::format("set border 3 lc rgb '{}' lw 1.5\n", plot_ink);
   style += fmt::format("set tics nomirror out scale 1.2 textcolor rgb '{}'\n", plot_ink);
   style += fmt::format("set grid xtics ytics lt 1 lc rgb '{}' lw 1.2\n", plot_light_ink);
@@ -100,6 +108,7 @@ void write_plot(const PlotScript& plot, const std::filesystem::path& stem) {
   PendingFile png(stem.string() + ".png"), svg(stem.string() + ".svg");
   run_gnuplot(png_terminal(plot.size), plot, png);
   run_gnuplot(svg_terminal(plot.size), plot, svg);
+  keep_images_sharp(svg);
   png.commit();
   svg.commit();
 }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
@@ -133,6 +134,24 @@ void CaseStore::add(const std::string& key, std::string_view json) {
 CaseCount CaseStore::count(const std::vector<std::string>& planned) const {
   const auto completed = std::ranges::count_if(planned, [&](const std::string& key) { return has(key); });
   return {static_cast<std::size_t>(completed), planned.size()};
+}
+
+std::map<std::string, std::string, std::less<>> read_cases(const std::filesystem::path& file,
+                                                           std::string_view inputs_begin) {
+  std::map<std::string, std::string, std::less<>> results;
+  std::ifstream stream(file, std::ios::binary);
+  std::string line;
+  if (!std::getline(stream, line) || stream.eof()) return results;
+  if (!is_header(line)) conflict(file, "is no file of cases");
+  if (!Json::parse(line).at("inputs").get<std::string>().starts_with(inputs_begin))
+    conflict(file, "holds cases of other inputs");
+  // A last line that was being written has no end.
+  while (std::getline(stream, line) && !stream.eof()) {
+    auto entry = read_line(line);
+    if (!entry) conflict(file, "is damaged");
+    results.insert(*std::move(entry));
+  }
+  return results;
 }
 
 }  // namespace taut

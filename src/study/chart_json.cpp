@@ -3,7 +3,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <exception>
+#include <stdexcept>
+#include <utility>
+
+#include "base/failure.h"
 #include "errors_json.h"
+#include "methods/registry.h"
 #include "study/chart_files.h"
 
 namespace taut {
@@ -20,7 +26,9 @@ Json settings_to_json(const Settings& settings) {
 
 // A case beside the curve it belongs to.
 Json named_case(const Chart& chart, const ChartCase& done) {
-  Json json{{"curve", chart.curves[done.point.curve].name}};
+  Json json{{"curve", chart.curves[done.point.curve].name},
+            {"fineness", done.point.fineness},
+            {"row", done.point.row}};
   json.update(case_to_json(done));
   if (!done.times.processor.empty()) json["seconds"] = done.seconds();
   return json;
@@ -42,24 +50,7 @@ std::string optional_number(const std::optional<double>& number) {
   return number ? fmt::format("{}", *number) : "";
 }
 
-}  // namespace
-
-Json case_to_json(const ChartCase& done) {
-  return {{"method", done.settings.method},
-          {"settings", settings_to_json(done.settings)},
-          {"diverged", done.run.diverged},
-          {"trouble", done.run.trouble},
-          {"errors", errors_to_json(done.run.errors)},
-          {"steps", done.run.steps},
-          {"link_solves", done.run.counts.link_solves},
-          {"rounds", done.run.counts.rounds},
-          {"factorisations", done.run.counts.factorisations},
-          {"processor_seconds", done.times.processor},
-          {"wall_seconds", done.times.wall}};
-}
-
-ChartCase case_from_json(const std::string& text, const GridPoint& point) {
-  const Json json = Json::parse(text);
+ChartCase read_case(const Json& json, const GridPoint& point) {
   ChartCase done;
   done.point = point;
   json.at("method").get_to(done.settings.method);
@@ -79,6 +70,78 @@ ChartCase case_from_json(const std::string& text, const GridPoint& point) {
   json.at("processor_seconds").get_to(done.times.processor);
   json.at("wall_seconds").get_to(done.times.wall);
   return done;
+}
+
+// The place of what has a name; throws where nothing has it.
+template <typename Things>
+std::size_t place_of(const Things& things, const std::string& name) {
+  for (std::size_t i = 0; i < things.size(); ++i)
+    if (things[i].name == name) return i;
+  throw std::out_of_range(fmt::format("there is no \"{}\"", name));
+}
+
+ErrorKind kind_of(const std::string& name) {
+  for (const ErrorKind kind : all_error_kinds)
+    if (name_of(kind) == name) return kind;
+  throw std::out_of_range(fmt::format("there is no error \"{}\"", name));
+}
+
+Chart read_chart(const Json& json) {
+  Chart chart;
+  json.at("scene").get_to(chart.scene);
+  json.at("title").get_to(chart.title);
+  json.at("masses").get_to(chart.masses);
+  json.at("links").get_to(chart.links);
+  json.at("size").get_to(chart.size);
+  json.at("energy_scale").get_to(chart.energy_scale);
+  chart.truth.times = {json.at("horizon").get<double>()};
+  for (const Json& name : json.at("errors")) chart.errors.push_back(kind_of(name.get<std::string>()));
+  chart.truth.smallest = errors_from_json(json.at("smallest_error_judged"));
+  json.at("reference").get_to(chart.truth.how);
+  json.at("remark").get_to(chart.truth.remark);
+  json.at("omissions").get_to(chart.omissions);
+  const Json& left_out = json.at("left_out");
+  const auto run = json.at("completed").get<std::size_t>(), planned = json.at("planned").get<std::size_t>();
+  chart.counts = {run, left_out.at("off_the_front").get<std::size_t>(),
+                  left_out.at("no_gain").get<std::size_t>(), left_out.at("too_dear").get<std::size_t>(),
+                  planned - run};
+  json.at("budget").get_to(chart.budget);
+  json.at("processor").get_to(chart.machine.processor);
+  json.at("hardware_threads").get_to(chart.machine.threads);
+  json.at("build").get_to(chart.machine.build);
+  json.at("flags").get_to(chart.machine.flags);
+  json.at("commit").get_to(chart.machine.commit);
+  for (const Json& each : json.at("curves")) {
+    MethodVariant curve;
+    each.at("name").get_to(curve.name);
+    each.at("method").get_to(curve.settings.method);
+    curve.method = place_of(all_methods(), curve.settings.method);
+    chart.curves.push_back(std::move(curve));
+  }
+  for (const Json& each : json.at("cases"))
+    chart.cases.push_back(read_case(each, {place_of(chart.curves, each.at("curve").get<std::string>()),
+                                           each.at("fineness").get<int>(), each.at("row").get<int>()}));
+  return chart;
+}
+
+}  // namespace
+
+Json case_to_json(const ChartCase& done) {
+  return {{"method", done.settings.method},
+          {"settings", settings_to_json(done.settings)},
+          {"diverged", done.run.diverged},
+          {"trouble", done.run.trouble},
+          {"errors", errors_to_json(done.run.errors)},
+          {"steps", done.run.steps},
+          {"link_solves", done.run.counts.link_solves},
+          {"rounds", done.run.counts.rounds},
+          {"factorisations", done.run.counts.factorisations},
+          {"processor_seconds", done.times.processor},
+          {"wall_seconds", done.times.wall}};
+}
+
+ChartCase case_from_json(const std::string& text, const GridPoint& point) {
+  return read_case(Json::parse(text), point);
 }
 
 std::string chart_json(const Chart& chart) {
@@ -114,6 +177,14 @@ std::string chart_json(const Chart& chart) {
       {"curves", curves},
       {"cases", cases}};
   return json.dump(1) + "\n";
+}
+
+Chart chart_from_json(const std::string& text, const std::string& file) {
+  try {
+    return read_chart(Json::parse(text));
+  } catch (const std::exception& error) {
+    throw BadRequest(fmt::format("{} holds no chart of this program: {}", file, error.what()));
+  }
 }
 
 std::string chart_csv(const Chart& chart) {

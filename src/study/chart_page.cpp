@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "output/gnuplot.h"
+#include "output/plot_colour.h"
 
 namespace taut {
 namespace {
@@ -116,7 +116,7 @@ function drawAxes(plot, x, y, chart) {
     element('text', { x: box.left - 8, y: py + 5, 'text-anchor': 'end' }, plot, '10' + superscript(d));
   }
   element('path', { d: `M${box.left} ${box.top}V${box.bottom}H${box.right}`, fill: 'none', stroke: '#333' }, plot);
-  element('text', { x: (box.left + box.right) / 2, y: 625, 'text-anchor': 'middle' }, plot, 'error: ' + titles[state.error]);
+  element('text', { x: (box.left + box.right) / 2, y: 625, 'text-anchor': 'middle' }, plot, 'error: ' + titles[state.error] + ' (more accurate →)');
   element('text', { transform: `translate(20 ${(box.top + box.bottom) / 2}) rotate(-90)`, 'text-anchor': 'middle' }, plot,
           state.cost === 'seconds' ? 'processor time (s)' : 'link solves');
 }
@@ -132,7 +132,7 @@ function draw() {
     check.checked = !state.off.has(curve.name);
     check.onchange = () => { state.off[check.checked ? 'delete' : 'add'](curve.name); draw(); };
     label.className = check.checked ? '' : 'off';
-    label.style.color = colours[curve.colour % colours.length];
+    label.style.color = letters[curve.colour % letters.length];
     label.append(check, ' ' + curve.name);
     return label;
   }));
@@ -141,7 +141,7 @@ function draw() {
   const plot = at('plot');
   plot.replaceChildren();
   if (shown.length) {
-    const x = axis(shown.map(c => c.errors[state.error]), box.left, box.right);
+    const x = axis(shown.map(c => c.errors[state.error]), box.right, box.left);
     const y = axis(shown.map(c => c[state.cost]), box.bottom, box.top);
     const point = c => `${x.place(c.errors[state.error]).toFixed(1)},${y.place(c[state.cost]).toFixed(1)}`;
     drawAxes(plot, x, y, chart);
@@ -197,8 +197,12 @@ std::string chart_page(const std::vector<std::string>& charts) {
   page += '[';
   for (std::size_t i = 0; i < charts.size(); ++i) page += (i > 0 ? "," : "") + fit_for_script(charts[i]);
   page += ']';
-  for (std::size_t i = 0; i < 8; ++i) colours += fmt::format("{}'{}'", i > 0 ? ", " : "", plot_colour(i));
-  page += fmt::format("</script>\n<script>const colours = [{}];", colours);
+  std::string letters;
+  for (std::size_t i = 0; i < plot_styles; ++i) {
+    colours += fmt::format("{}'{}'", i > 0 ? ", " : "", plot_colour(i));
+    letters += fmt::format("{}'{}'", i > 0 ? ", " : "", plot_text_colour(i));
+  }
+  page += fmt::format("</script>\n<script>const colours = [{}], letters = [{}];", colours, letters);
   page += page_script;
   return page;
 }

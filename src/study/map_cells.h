@@ -1,20 +1,12 @@
 #pragma once
 
-#include <array>
-#include <string>
+#include <cstddef>
 #include <string_view>
 #include <vector>
 
 #include "study/stability_map.h"
 
 namespace taut {
-
-/// A part of a map that is painted in one go: neighbouring cells of a column with the same paint.
-struct PaintedCells {
-  std::size_t column;
-  std::size_t first_row, last_row;
-  std::size_t paint;  ///< see map_paints()
-};
 
 /// How many shades tell errors of runs that held, and as many those of runs that drifted.
 inline constexpr std::size_t error_shades = 8;
@@ -23,11 +15,13 @@ inline constexpr std::size_t error_shades = 8;
 /// length.
 inline constexpr double least_error = 1e-7, most_error = 1e1;
 
-/// Paints: error_shades of blue for runs that held, as many of orange for those that drifted, then the two
-/// below. Blue and orange differ for every kind of colour vision, and each gets darker with the error.
+/// Paints: error_shades of light blue for runs that held, as many of dark red for those that drifted, each
+/// darker with the error, then white for those below, of which the first two are hatched. Where all is grey
+/// light and dark still tell held from drifted, and hatches the rest.
 std::string_view map_paint(std::size_t paint);
 inline constexpr std::size_t paint_diverged = 2 * error_shades;
 inline constexpr std::size_t paint_refused = paint_diverged + 1;
+inline constexpr std::size_t paint_missing = paint_refused + 1;  ///< not run
 
 /// What shades stand for: the position error over the total link length, the largest strain in maps over
 /// passes.
@@ -36,8 +30,16 @@ inline ShadeOf shade_of(const MapGrid& grid) {
   return grid.axes->rows == MapRows::step ? ShadeOf::error : ShadeOf::strain;
 }
 
-/// The cells of a map, neighbours in a column joined. Where a run has no reference its largest strain stands
-/// in for the error.
-std::vector<PaintedCells> painted_cells(const MethodMap& map, ShadeOf what);
+/// The paint of every cell of a map, row by row from the foot. Where a run has no reference its largest
+/// strain stands in for the error.
+std::vector<std::size_t> map_paints(const MapGrid& grid, const MethodMap& map);
+
+/// Cells of a column that lie one above the other.
+struct CellBox {
+  std::size_t column = 0, first_row = 0, last_row = 0;
+};
+
+/// All cells of one paint, neighbours in a column joined.
+std::vector<CellBox> boxes_of(const std::vector<std::size_t>& paints, std::size_t columns, std::size_t paint);
 
 }  // namespace taut

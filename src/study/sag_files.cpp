@@ -8,6 +8,7 @@
 #include "host/build_info.h"
 #include "output/atomic_file.h"
 #include "output/gnuplot.h"
+#include "output/plot_colour.h"
 #include "output/png.h"
 #include "study/sag_sheet.h"
 
@@ -23,23 +24,36 @@ std::string csv_table(const SagStudy& study) {
   return table;
 }
 
+// Sag over passes, with the exact one as a line across that has its name in the margin.
 PlotScript sag_plot(const Scene& scene, const SagStudy& study) {
-  std::string data = "$sag << END\n";
+  std::string data = "$sag << END\n", marks;
   for (const SagEntry& entry : study.entries)
-    if (!entry.growing) fmt::format_to(std::back_inserter(data), "{} {}\n", entry.passes, entry.sag);
+    if (!entry.growing) {
+      fmt::format_to(std::back_inserter(data), "{} {}\n", entry.passes, entry.sag);
+      marks += fmt::format("{0}'{1}' {1}", marks.empty() ? "" : ", ", entry.passes);
+    }
   data += "END\n";
-  const int first = study.entries.front().passes;
   PlotScript plot;
-  plot.commands = data + fmt::format(
-                             "set title {}\nset xlabel 'passes over all links in each step'\n"
-                             "set ylabel 'sag (m)'\nset logscale x 2\n"
-                             "set label 1 {} at {},{} offset 0,-0.8 tc rgb '{}'\n"
-                             "set offsets graph 0.02, graph 0.02, graph 0.06, graph 0.10\n"
-                             "plot {} with lines lw 3 dt 2 lc rgb '{}', $sag with linespoints lt 1\n",
-                             plot_text(fmt::format("{}: {} at {:.6g} steps/s", scene.title,
-                                                   study.settings.method, study.settings.steps_per_second())),
-                             plot_text(fmt::format("exact: {:.4f} m", study.exact_sag)), first,
-                             study.exact_sag, plot_colour(4), study.exact_sag, plot_colour(4));
+  plot.size = {1700, 1100};
+  plot.commands = data +
+                  fmt::format(
+                      "set lmargin at screen 0.14\nset rmargin at screen 0.78\nset tmargin at screen 0.86\n"
+                      "set bmargin at screen 0.16\n"
+                      "set label {} at screen 0.018,0.955 left font ',{}' tc rgb '{}'\n"
+                      "set label {} at screen 0.018,0.905 left font ',{}' tc rgb '{}'\n"
+                      "set xlabel 'passes over all links in each step'\nset logscale x 2\n"
+                      "set xtics ({})\nunset mxtics\n",
+                      plot_text(scene.title), plot_letters + 6, plot_ink,
+                      plot_text(fmt::format("{} at {:.6g} steps/s, at rest", study.settings.method,
+                                            study.settings.steps_per_second())),
+                      plot_small_letters, plot_ink, marks) +
+                  fmt::format(
+                      "set label 'sag (m)' at screen 0.028,0.5 center rotate by 90 tc rgb '{}'\n"
+                      "set label {} at graph 1.015, first {} left font ',{}' tc rgb '{}'\n"
+                      "set offsets graph 0.04, graph 0.02, graph 0.06, graph 0.10\n"
+                      "plot {} with lines lw 3 dt 2 lc rgb '{}', $sag with linespoints lt 3 lw 4\n",
+                      plot_ink, plot_text(fmt::format("exact: {:.4f} m", study.exact_sag)), study.exact_sag,
+                      plot_small_letters, plot_text_colour(4), study.exact_sag, plot_colour(4));
   return plot;
 }
 

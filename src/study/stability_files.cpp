@@ -64,13 +64,47 @@ std::string file_name(const MethodMap& map) {
   return name;
 }
 
-std::string title_of(const StabilityMaps& maps, const Scene& scene) {
-  std::string title = fmt::format("{}, {} s, guard off", scene.title, maps.grid.duration);
+MapHeading heading_of(const StabilityMaps& maps, const Scene& scene) {
+  MapHeading heading{scene.title, fmt::format("{} s of motion, no step halved", maps.grid.duration)};
   if (maps.grid.axes->rows == MapRows::step && lacks_references(maps))
-    title += ", strain where no reference is certain";
+    heading.subtitle += "; strain where no reference is certain";
   if (maps.count.completed < maps.count.planned)
-    title += fmt::format(", {} of {} columns", maps.count.completed, maps.count.planned);
-  return title;
+    heading.subtitle += fmt::format("; {} of {} columns", maps.count.completed, maps.count.planned);
+  return heading;
+}
+
+// What the pictures show and how to read them, a paragraph a line.
+std::string caption_of(const StabilityMaps& maps, const Scene& scene) {
+  const MapGrid& grid = maps.grid;
+  const bool step = grid.axes->rows == MapRows::step;
+  std::string text = fmt::format("{}: how each method fares over {} and {} ({} columns, {} rows).\n\n",
+                                 scene.title, grid.axes->title, step ? "the step" : "passes a step",
+                                 grid.columns.size(), grid.rows.size());
+  text += fmt::format(
+      "Every cell is one run of {} s that starts as the scene does, with the guard off: no step is halved. "
+      "{} Light "
+      "blue: the energy stayed within 1 % of its scale to the end. Dark red: it did not. Diagonal hatching: "
+      "the run "
+      "diverged, or a step could not be solved. Cross-hatching: the method refused it.\n\n",
+      grid.duration,
+      step ? "The darker a shade, the larger the distance of the farthest mass from where it should be, over "
+             "the "
+             "length of all links."
+           : "The darker a shade, the larger the strain of any link.");
+  text += fmt::format(
+      "Circles: the edge of what holds, measured to 2 %. Dashed line: where theory has it, by the formula "
+      "beside "
+      "it.\n\n");
+  if (step && lacks_references(maps))
+    text += "Where no reference could be certified, shades are those of the largest strain.\n\n";
+  for (const MethodMap& map : maps.maps)
+    for (const MapColumn& column : map.columns)
+      if (!column.refusal.empty()) {
+        text += fmt::format("{}: {}.\n\n", map.method, column.refusal);
+        break;
+      }
+  return text +
+         fmt::format("{} of {} columns; {}.\n", maps.count.completed, maps.count.planned, build_info());
 }
 
 }  // namespace
@@ -94,9 +128,10 @@ void write_stability_files(const StabilityMaps& maps, const Scene& scene,
   write_file(folder / "cells.csv", cells_csv(maps));
   write_file(folder / "edges.csv", edges_csv(maps));
   write_file(folder / "maps.json", stability_json(maps, scene));
-  const std::string title = title_of(maps, scene);
-  for (const MethodMap& map : maps.maps) write_plot(map_plot(maps, map, title), folder / file_name(map));
-  write_plot(overview_plot(maps, title), folder / "overview");
+  const MapHeading heading = heading_of(maps, scene);
+  for (const MethodMap& map : maps.maps) write_plot(map_plot(maps, map, heading), folder / file_name(map));
+  write_plot(overview_plot(maps, heading), folder / "overview");
+  write_file(folder / "overview.txt", caption_of(maps, scene));
 }
 
 }  // namespace taut

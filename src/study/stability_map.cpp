@@ -39,12 +39,17 @@ std::vector<Case> all_cases(const StabilityRequest& request) {
   return cases;
 }
 
-// A hash of all that decides what columns look like; which methods are asked for does not.
-std::string inputs_of(const Scene& scene, const MapGrid& grid) {
+// A hash of all that decides what columns look like but for the build; which methods are asked for does not.
+std::string asked_of(const Scene& scene, const MapGrid& grid) {
   Hash hash;
-  hash.add(resolved_toml(scene)).add(build_info()).add(grid.axes->name);
+  hash.add(resolved_toml(scene)).add(grid.axes->name);
   hash.add(std::span<const double>(grid.columns)).add(std::span<const double>(grid.rows));
   return hash.add(std::span(&grid.duration, 1)).hex();
+}
+
+// The same, and the build.
+std::string inputs_of(const Scene& scene, const MapGrid& grid) {
+  return fmt::format("{} {}", asked_of(scene, grid), Hash().add(build_info()).hex());
 }
 
 // What is given, then the scene's own parameters where it is made for the method; defaults elsewhere.
@@ -167,20 +172,31 @@ class Sweep {
   std::exception_ptr failure_;
 };
 
-StabilityMaps gather(const StabilityRequest& request, const CaseStore& store) {
+using Results = std::map<std::string, std::string, std::less<>>;
+
+// What a folder holds, of shards, too, whatever build it is of.
+Results results_in(const std::filesystem::path& folder, const StabilityRequest& request, const Scene& scene) {
+  const std::string asked = asked_of(scene, request.grid);
+  Results results = read_cases(file_of(folder, request.shard), asked);
+  if (request.shard.all() && std::filesystem::exists(folder))
+    for (const std::filesystem::path& file : files_of_shards(folder)) results.merge(read_cases(file, asked));
+  return results;
+}
+
+StabilityMaps gather(const StabilityRequest& request, const Results& results) {
   StabilityMaps maps;
   maps.grid = request.grid;
   for (const MapMethod& method : request.methods) maps.maps.push_back({method.label, {}});
-  std::vector<std::string> planned;
   for (const Case& one : all_cases(request)) {
     if (!request.shard.has(one.column)) continue;
-    planned.push_back(one.key);
-    if (!store.has(one.key)) continue;
+    ++maps.count.planned;
+    const auto result = results.find(one.key);
+    if (result == results.end()) continue;
+    ++maps.count.completed;
     const auto map = std::find_if(maps.maps.begin(), maps.maps.end(),
                                   [&](const MethodMap& each) { return each.method == one.method->label; });
-    map->columns.push_back(map_column_from_json(store.result(one.key)));
+    map->columns.push_back(map_column_from_json(result->second));
   }
-  maps.count = store.count(planned);
   return maps;
 }
 
@@ -226,11 +242,12 @@ StabilityMaps make_stability_maps(const Scene& scene, const StabilityRequest& re
                                   const std::filesystem::path& folder, Progress& progress,
                                   const StopTest& stop) {
   check_map_request(scene, request);
+  if (!request.run) return gather(request, results_in(folder, request, scene));
   const std::string inputs = inputs_of(scene, request.grid);
   CaseStore store(file_of(folder, request.shard), inputs, request.overwrite);
   if (request.shard.all()) take_over_shards(store, folder, inputs, request.overwrite);
-  const bool whole = !request.run || Sweep(scene, request, store, progress, stop).run();
-  StabilityMaps maps = gather(request, store);
+  const bool whole = Sweep(scene, request, store, progress, stop).run();
+  StabilityMaps maps = gather(request, store.results());
   maps.stopped = !whole;
   return maps;
 }

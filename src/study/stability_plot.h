@@ -7,11 +7,16 @@
 
 namespace taut {
 
-/// One method's map: colour for the error, hatched where the run diverged, the measured edge as circles and
-/// the predicted one as a line over it.
-PlotScript map_plot(const StabilityMaps& maps, const MethodMap& map, const std::string& title);
+/// What stands above maps: a title, and a line below it.
+struct MapHeading {
+  std::string title, subtitle;
+};
+
+/// One method's map: an image of the error, hatched where the run diverged or was refused, the measured edge
+/// as circles and the predicted one as a line over it, with its formula.
+PlotScript map_plot(const StabilityMaps& maps, const MethodMap& map, const MapHeading& heading);
 
 /// All methods' maps side by side on one page.
-PlotScript overview_plot(const StabilityMaps& maps, const std::string& title);
+PlotScript overview_plot(const StabilityMaps& maps, const MapHeading& heading);
 
 }  // namespace taut

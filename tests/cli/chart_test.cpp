@@ -72,6 +72,50 @@ TEST(Chart, HoldsEveryRawTimeAndWhatItWasMeasuredWith) {
     EXPECT_TRUE(std::filesystem::exists(folder / (std::string("chart/") + file))) << file;
 }
 
+TEST(Chart, HasItsNotesInACaptionBesideIt) {
+  const TemporaryFolder folder;
+  folder.write("small.toml", small_scene());
+  ASSERT_EQ(chart_to_the_end(folder, "chart").status, 0);
+  const Json chart = Json::parse(read_file(folder / "chart/small.json"));
+  for (const char* stem : {"small-trajectory", "small-trajectory-solves"}) {
+    const std::string caption = read_file(folder / ("chart/" + std::string(stem) + ".txt"));
+    EXPECT_NE(caption.find(std::string(stem) + ".svg"), std::string::npos) << caption;
+    EXPECT_NE(caption.find(chart["reference"].get<std::string>()), std::string::npos) << caption;
+    EXPECT_NE(caption.find(chart["processor"].get<std::string>()), std::string::npos) << caption;
+    for (const Json& omission : chart["omissions"])
+      EXPECT_NE(caption.find(omission.get<std::string>()), std::string::npos) << omission;
+    // What is long stands there, and not on the picture.
+    EXPECT_EQ(read_file(folder / ("chart/" + std::string(stem) + ".svg")).find("Left out"),
+              std::string::npos);
+  }
+}
+
+// The folder may come from another machine and build: what was measured is all that it takes.
+TEST(Chart, IsDrawnAgainFromItsNumbersAlone) {
+  const TemporaryFolder folder;
+  folder.write("small.toml", small_scene());
+  ASSERT_EQ(chart_to_the_end(folder, "chart").status, 0);
+  const std::vector<std::string> drawn{"small-trajectory.svg", "small-trajectory-solves.svg",
+                                       "small-trajectory.txt", "chart.html"};
+  std::vector<std::string> before;
+  for (const std::string& name : drawn) {
+    before.push_back(read_file(folder / ("chart/" + name)));
+    std::filesystem::remove(folder / ("chart/" + name));
+  }
+  std::filesystem::remove(folder / "chart/small.cases.jsonl");
+  const std::vector<std::string> words{"chart", "small", "--draw-only", "-o", folder / "chart"};
+  const Ran ran = taut(words, {{"TAUT_CACHE", folder / "empty"}});
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  for (std::size_t i = 0; i < drawn.size(); ++i)
+    EXPECT_EQ(read_file(folder / ("chart/" + drawn[i])), before[i]) << drawn[i];
+  EXPECT_FALSE(std::filesystem::exists(folder / "chart/small.cases.jsonl")) << "nothing was run";
+  const Ran missing = taut({"chart", "other", "--draw-only", "-o", folder / "chart"});
+  EXPECT_EQ(missing.status, 2);
+  EXPECT_NE(missing.err.find("other.json"), std::string::npos) << missing.err;
+  folder.write("chart/other.json", "{}");
+  EXPECT_EQ(taut({"chart", "other", "--draw-only", "-o", folder / "chart"}).status, 2);
+}
+
 TEST(Chart, KilledAtAnyMomentItEndsInTheSameCases) {
   const TemporaryFolder folder;
   folder.write("small.toml", small_scene());

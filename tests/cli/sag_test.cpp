@@ -5,6 +5,11 @@
 
 #include "program.h"
 
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_ONLY_PNG
+#include <stb_image.h>
+
 namespace taut::testing {
 namespace {
 
@@ -23,6 +28,45 @@ TEST(Sag, WritesSheetChartAndNumbers) {
   EXPECT_EQ(Json::parse(read_file(folder.path() / "sag" / "sag.json")), json);
   EXPECT_NEAR(json.at("exact").at("sag"), 0.7259, 1e-4);
   EXPECT_GT(json.at("entries")[0].at("sag_error"), json.at("entries")[1].at("sag_error"));
+}
+
+// Small panels leave little room for words: none may reach the edge.
+TEST(Sag, NothingIsCutOffAtTheEdgeOfTheSheet) {
+  const TemporaryFolder folder;
+  const Ran ran =
+      taut({"sag", "hanging-chain-two-pins", "--passes", "4", "--size", "120x100", "-o", folder / "sag"});
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  int width = 0, height = 0, channels = 0;
+  unsigned char* pixels = stbi_load((folder / "sag/sag.png").c_str(), &width, &height, &channels, 3);
+  ASSERT_NE(pixels, nullptr);
+  int inked = 0;
+  for (int y = 0; y < height; ++y)
+    for (const int x : {0, 1, 2, 3, width - 4, width - 3, width - 2, width - 1})
+      for (int channel = 0; channel < 3; ++channel)
+        inked += pixels[3 * (y * width + x) + channel] != 255 ? 1 : 0;
+  stbi_image_free(pixels);
+  EXPECT_EQ(inked, 0);
+}
+
+TEST(Sag, AskedAgainItOnlyReadsWhatItFound) {
+  const TemporaryFolder folder;
+  const Environment cache{{"TAUT_CACHE", folder / "cache"}};
+  const std::vector<std::string> words{
+      "sag",         "hanging-chain-two-pins", "--passes", "4,16", "--size", "120x100", "--json", "-o",
+      folder / "sag"};
+  const Ran first = taut(words, cache);
+  ASSERT_EQ(first.status, 0) << first.err;
+  const std::string sheet = read_file(folder / "sag/sag.png");
+  std::vector<fs::file_time_type> written;
+  for (const auto& entry : fs::directory_iterator(folder / "cache"))
+    written.push_back(entry.last_write_time());
+  EXPECT_EQ(written.size(), 3U) << "two, and the exact one";
+  const Ran second = taut(words, cache);
+  EXPECT_EQ(second.out, first.out);
+  EXPECT_EQ(read_file(folder / "sag/sag.png"), sheet);
+  std::vector<fs::file_time_type> after;
+  for (const auto& entry : fs::directory_iterator(folder / "cache")) after.push_back(entry.last_write_time());
+  EXPECT_EQ(after, written);
 }
 
 TEST(Sag, EulersKeptVelocitiesAreShownOnceAsGrowing) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -43,7 +44,7 @@ TEST_F(StabilityTest, WritesPicturesTablesAndCounts) {
   const Ran ran = run();
   ASSERT_EQ(ran.status, 0) << ran.err;
   for (const char* name : {"rattle.png", "rattle.svg", "xpbd.png", "xpbd.svg", "overview.png", "overview.svg",
-                           "cells.csv", "edges.csv", "maps.json"})
+                           "cells.csv", "edges.csv", "maps.json", "overview.txt"})
     EXPECT_GT(fs::file_size(file(name)), 0U) << name;
   const Json json = maps();
   EXPECT_EQ(json["completed"], 6);
@@ -59,6 +60,21 @@ TEST_F(StabilityTest, KeepsWhatIsThereAndRefusesOtherInputs) {
   EXPECT_EQ(fs::last_write_time(file("cases.jsonl")), written);
   EXPECT_EQ(run({"--set", "world.drag=1"}).status, 4);
   EXPECT_EQ(run({"--set", "world.drag=1", "--overwrite"}).status, 0);
+}
+
+TEST_F(StabilityTest, DrawsWhatAnotherBuildHasMade) {
+  ASSERT_EQ(run().status, 0);
+  const Json whole = maps();
+  std::string cases = read_file(file("cases.jsonl"));
+  const std::size_t end = cases.find("\"}\n");
+  cases.replace(end - 4, 4, "0123");  // the last digits of the build's hash
+  std::ofstream(file("cases.jsonl"), std::ios::binary) << cases;
+  fs::remove(file("overview.png"));
+  EXPECT_EQ(run().status, 4) << "nothing is mixed with it";
+  EXPECT_EQ(run({"--draw-only"}).status, 0);
+  EXPECT_TRUE(fs::exists(file("overview.png")));
+  EXPECT_EQ(maps(), whole);
+  EXPECT_EQ(run({"--draw-only", "--set", "world.drag=1"}).status, 4) << "another scene's";
 }
 
 TEST_F(StabilityTest, ShardsTogetherAreTheWhole) {

@@ -25,5 +25,12 @@ TEST(Percent, HasTwoDigitsOrABound) {
   EXPECT_EQ(percent(0.0), "below 0.0001 %");
 }
 
+TEST(WithPowerOfTen, IsWrittenAsPeopleDo) {
+  EXPECT_EQ(with_power_of_ten(0.01), "0.01");
+  EXPECT_EQ(with_power_of_ten(1e-6), "10⁻⁶");
+  EXPECT_EQ(with_power_of_ten(3e-12), "3·10⁻¹²");
+  EXPECT_EQ(with_power_of_ten(2.5e9), "2.5·10⁹");
+}
+
 }  // namespace
 }  // namespace taut

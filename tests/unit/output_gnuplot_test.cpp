@@ -36,10 +36,5 @@ TEST(Gnuplot, AFailureIsQuotedAndLeavesNothing) {
   EXPECT_EQ(folder.entries(), 0U);
 }
 
-TEST(Gnuplot, ColoursDiffer) {
-  for (std::size_t i = 0; i < 8; ++i)
-    for (std::size_t j = 0; j < i; ++j) EXPECT_NE(plot_colour(i), plot_colour(j));
-}
-
 }  // namespace
 }  // namespace taut

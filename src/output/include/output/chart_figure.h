@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,11 +15,11 @@ struct FigurePoint {
   bool on_line = false;  ///< of its curve's line; else it is only a faint dot
 };
 
-/// A curve of a chart and its name, which stands beside it.
+/// A curve of a chart and its name, which stands in the margin, beside the end of smallest x.
 struct FigureCurve {
   std::string name;
-  std::size_t colour = 0;  ///< of the house style's
-  bool dashed = false;
+  std::size_t style = 0;            ///< of the house's colours and markers (plot_colour.h)
+  bool second = false;              ///< another of the same style: dashed, its markers hollow
   std::vector<FigurePoint> points;  ///< in the order of the line
 };
 
@@ -28,16 +29,25 @@ struct FigureLabel {
   std::string text;  ///< may be empty: part of the front, without a name
 };
 
-/// Curves over two logarithmic axes.
+/// A height that means something by itself.
+struct FigureLevel {
+  double y = 0.0;
+  std::string text;
+};
+
+/// Curves over two logarithmic axes. x falls from left to right, so that what is good lies at the right and
+/// low.
 struct ChartFigure {
   std::string title, subtitle, x_label, y_label;
   std::vector<FigureCurve> curves;
   std::vector<FigureLabel>
       front;  ///< the best of all curves, from cheap to dear; drawn as a band behind them
-  std::vector<std::string> notes;  ///< sentences below, wrapped
+  std::optional<FigureLevel> level;  ///< a line across; where it lies far off, only an arrow and its text
+  bool orders = true;  ///< with guides: how y rises as x falls where x is y to the power −1, −2, −4
+  std::string note;    ///< one line below
 };
 
-/// The figure as a plot.
+/// The figure as a plot. All of its parts lie within the picture, and no two texts over each other.
 PlotScript figure_script(const ChartFigure& figure);
 
 }  // namespace taut

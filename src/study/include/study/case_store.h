@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
@@ -50,5 +51,11 @@ class CaseStore {
   int descriptor_ = -1;
   std::map<std::string, std::string, std::less<>> results_;
 };
+
+/// Every case that a file of a CaseStore holds, with its result, where the text of its inputs begins like
+/// this; none where there is no such file. Changes nothing. Throws OutputConflict where it was made from
+/// other inputs or is no such file.
+std::map<std::string, std::string, std::less<>> read_cases(const std::filesystem::path& file,
+                                                           std::string_view inputs_begin);
 
 }  // namespace taut

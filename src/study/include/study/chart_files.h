@@ -11,13 +11,20 @@ namespace taut {
 /// A chart as JSON text: everything, with every raw time.
 std::string chart_json(const Chart& chart);
 
+/// A chart from that text, whatever build has written it: all that is drawn or tabled of it, not what it
+/// would take to go on. `file` is for the message. Throws BadRequest where the text is none.
+Chart chart_from_json(const std::string& text, const std::string& file);
+
 /// The same as a table, a line a case: curve, method, steps_per_second or tolerance, passes, errors, link
 /// solves, least times.
 std::string chart_csv(const Chart& chart);
 
-/// Writes <scene>.json, <scene>.csv and for every kind of error <scene>-<error>.png and .svg (time) and
-/// <scene>-<error>-solves.png and .svg (link solves) into a folder. Throws RunFailure.
+/// Writes <scene>.json and <scene>.csv into a folder, and its pictures. Throws RunFailure.
 void write_chart(const Chart& chart, const std::filesystem::path& folder);
+
+/// Draws a chart for every kind of error: <scene>-<error>.png and .svg (time) and <scene>-<error>-solves.png
+/// and .svg (link solves) into a folder, each with its caption beside it, as .txt. Throws RunFailure.
+void draw_chart(const Chart& chart, const std::filesystem::path& folder);
 
 /// Writes chart.html, one page with all charts in it. Throws RunFailure.
 void write_chart_page(const std::vector<Chart>& charts, const std::filesystem::path& folder);

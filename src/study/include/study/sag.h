@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <vector>
 
 #include "frames/simulation.h"
@@ -30,10 +29,11 @@ struct SagStudy {
 };
 
 /// Settles a scene with its method, which must have passes, for every number of them, and exactly. With euler
-/// velocities are derived; one entry more shows the text's kept ones at the scene's end. `done` hears of
-/// every entry. Nothing when told to stop on the way. Throws BadRequest for a method without passes or a
-/// scene that has no rest, RunFailure where a step can't be solved.
-std::optional<SagStudy> study_sag(const Scene& scene, const std::vector<int>& passes,
-                                  const std::function<void(int)>& done, const StopTest& stop);
+/// velocities are derived; one entry more shows the text's kept ones at the scene's end. Shapes are kept in
+/// the cache (reference_folder()): asked for again, they are only read. `done` hears of every entry. Throws
+/// BadRequest for a method without passes or a scene that has no rest, RunFailure where a step can't be
+/// solved, Interrupted when told to stop on the way.
+SagStudy study_sag(const Scene& scene, const std::vector<int>& passes, const std::function<void(int)>& done,
+                   const StopTest& stop);
 
 }  // namespace taut

@@ -9,7 +9,8 @@
 namespace taut {
 
 /// Writes what is known of the maps into a folder: cells.csv, edges.csv and maps.json, a PNG and an SVG for
-/// every method under its name, and one with all methods side by side, overview. Throws RunFailure.
+/// every method under its name, and one with all methods side by side, overview, with its caption as .txt.
+/// Throws RunFailure.
 void write_stability_files(const StabilityMaps& maps, const Scene& scene,
                            const std::filesystem::path& folder);
 

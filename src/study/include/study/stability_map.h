@@ -29,7 +29,7 @@ struct StabilityRequest {
   MapGrid grid;
   Shard shard;
   bool overwrite = false;
-  bool run = true;  ///< false: only what is there already
+  bool run = true;  ///< false: only what is there already, whatever build has made it; changes no file
 };
 
 /// The map of one method, as far as its columns are there.
