@@ -44,11 +44,11 @@ constexpr std::array box_attributes{
 constexpr GLsizei corners_of_a_box = 36;
 
 // How many sides a round thing may have.
-constexpr std::array round_sides{8, 12, 16, 20, 28, 40, 56, 80, 112};
+constexpr std::array round_sides{8, 12, 16, 20, 24, 28, 40, 56, 80, 112};
 
-// As many sides as keep the outline within a fifth of a pixel of the circle.
+// As many sides as keep the outline within a fourth of a pixel of the circle.
 std::size_t round_for(float radius_in_pixels) {
-  const float tolerance = std::clamp(0.2F / std::max(radius_in_pixels, 0.1F), 0.0F, 1.0F);
+  const float tolerance = std::clamp(0.25F / std::max(radius_in_pixels, 0.1F), 0.0F, 1.0F);
   const float sides = std::numbers::pi_v<float> / std::acos(1.0F - tolerance);
   std::size_t which = 0;
   while (which + 1 < round_sides.size() && static_cast<float>(round_sides[which]) < sides) ++which;
@@ -231,7 +231,9 @@ void RodPainter::upload(const std::vector<TaperedRod>& rods, float pixel) {
   for (const TaperedRod& rod : rods) {
     const float radius = std::max(rod.start_radius, rod.end_radius);
     const float depth = std::min(glm::length(rod.start), glm::length(rod.end)) - radius;
-    sorted[round_for(radius / std::max(pixel * depth, 1e-6F))].push_back(rod);
+    // A flat ball shows its whole outline from one side only.
+    const float shown = radius * std::sqrt(1.0F - glm::dot(rod.squeeze, rod.squeeze));
+    sorted[round_for(shown / std::max(pixel * depth, 1e-6F))].push_back(rod);
   }
   for (std::size_t i = 0; i < rounds_.size(); ++i)
     rounds_[i].rods.upload(std::span(std::as_const(sorted[i])));

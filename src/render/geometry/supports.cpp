@@ -212,18 +212,17 @@ class SupportMaker {
   }
 
   void add_rail(const Stretch& line, const std::vector<const SupportedPin*>& pins) {
-    constexpr double ring = 1.9, lift = 2.9;
+    // The cloth hangs from the lower side of its rings.
+    constexpr double ring = 1.8, lift = 1.7;
     const Vec3 upward =
         (sight_.up - line.direction * line.direction.dot(sight_.up)).normalized() * (lift * unit_);
     const Vec3 start = line.at(line.low - 4.0 * unit_) + upward,
                end = line.at(line.high + 4.0 * unit_) + upward;
     rod(start, 0.8, end, 0.8, Material::wood);
-    for (const Vec3& tip : {start, end}) ball(tip, 1.9, Material::wood);
+    for (const Vec3& tip : {start, end}) ball(tip, 1.7, Material::wood);
     for (const SupportedPin* pin : pins) {
       const Vec3 squeeze = std::sqrt(1.0 - 0.3) * line.direction;
       carry(pin->mass, {upward, upward, ring * unit_, ring * unit_, squeeze, Material::metal});
-      carry(pin->mass, {Vec3::Zero(), (lift - ring) / lift * upward, 0.4 * unit_, 0.4 * unit_, Vec3::Zero(),
-                        Material::metal});
     }
   }
 
