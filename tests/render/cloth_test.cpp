@@ -298,7 +298,9 @@ TEST(SmoothPlaces, LieOnTheCurveThatMassesLieOn) {
   for (std::size_t y = 0; y < 7; ++y)
     for (std::size_t x = 0; x < 25; ++x) {
       const glm::vec3& place = places[y * 25 + x];
-      if (x % 4 == 0 && y % 2 == 0) EXPECT_LT(glm::distance(place, masses[y / 2 * 7 + x / 4]), 1e-6F);
+      if (x % 4 == 0 && y % 2 == 0) {
+        EXPECT_LT(glm::distance(place, masses[y / 2 * 7 + x / 4]), 1e-6F);
+      }
       EXPECT_NEAR(place.y, -0.15F * static_cast<float>(y), 1e-5F);
       // The middle of a chord is 0.031 m inside; at the ends of a row the curve knows one side only.
       const bool inner = x >= 4 && x <= 20;
