@@ -269,6 +269,16 @@ TEST(SceneErrors, WhatTheMethodCannotDoPointsAtTheMethod) {
 TEST(SceneErrors, CameraThatLooksNowhereOrFollowsNobody) {
   EXPECT_EQ(errors_of(chain_with("[camera]\neye = [0, 1, 0]\ntarget = [0, 1, 0]\n")),
             "f.toml:6:1: \"eye\" and \"target\" of [camera] are the same point\n    eye = [0, 1, 0]\n    ^");
+  EXPECT_EQ(errors_of(chain_with("[camera]\ndirection = [0, 0, 0]\n")),
+            "f.toml:6:1: \"direction\" of [camera] must not be zero\n    direction = [0, 0, 0]\n    ^");
+  EXPECT_EQ(errors_of(chain_with("[look]\nspeed = [[1, 0.5], [1, 2]]\n")),
+            "f.toml:6:1: times in \"speed\" of [look] must rise: 1.0 s comes after 1.0 s\n    speed = [[1, "
+            "0.5], [1, "
+            "2]]\n    ^");
+  EXPECT_EQ(errors_of(chain_with("[look]\nspeed = [[1, 0]]\n")),
+            "f.toml:6:1: a speed in \"speed\" of [look] must be from 0.001 to 1000, not 0.0\n    speed = "
+            "[[1, 0]]\n    "
+            "^");
   EXPECT_EQ(errors_of(chain_with("[camera]\nup = [0, 0, 0]\n")),
             "f.toml:6:1: \"up\" of [camera] must not be zero\n    up = [0, 0, 0]\n    ^");
   EXPECT_EQ(errors_of(chain_with("[camera]\nfollow = \"rop.0\"\n")),

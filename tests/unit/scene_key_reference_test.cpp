@@ -137,14 +137,18 @@ TEST(KeyReference, ListsEveryKeyOfEverySection) {
                                              "collides"}));
   EXPECT_EQ(keys_of("`[camera]`"),
             (Names{"eye", "target", "direction", "show", "field_of_view", "up", "orbit", "follow"}));
-  EXPECT_EQ(keys_of("`[look]`"), (Names{"masses",      "links",          "surface",
-                                        "ground",      "shadows",        "theme",
-                                        "colour_by",   "colour_range",   "colour_steps",
-                                        "speed",       "ground_height",  "mass_radius",
-                                        "link_radius", "mass_colour",    "pin_colour",
-                                        "link_colour", "surface_colour", "surface_back_colour",
-                                        "pattern",     "bones",          "colliders",
-                                        "mass_shape",  "bone_colour",    "collider_colour"}));
+  EXPECT_EQ(keys_of("`[look]`"), (Names{"masses",       "links",          "surface",
+                                        "ground",       "shadows",        "theme",
+                                        "colour_by",    "colour_range",   "colour_steps",
+                                        "speed",        "ground_height",  "mass_radius",
+                                        "link_radius",  "mass_colour",    "pin_colour",
+                                        "link_colour",  "surface_colour", "surface_back_colour",
+                                        "pattern",      "bones",          "colliders",
+                                        "mass_shape",   "bone_colour",    "collider_colour",
+                                        "weights",      "link_shape",     "chain_pitch",
+                                        "families",     "loads",          "exact",
+                                        "trails",       "trail_time",     "supports",
+                                        "thread_pitch", "hem_width"}));
   EXPECT_EQ(keys_of("`[expect]`"), (Names{"max_strain", "energy_drift", "broken_links", "sag", "at_rest",
                                           "inside", "limit_excess", "penetration"}));
 }

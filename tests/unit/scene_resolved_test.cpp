@@ -145,6 +145,8 @@ drag_coefficient = 1.3
 [camera]
 eye = [0, 1, 7]
 target = [0, 0.5, 0]
+direction = [1, 0.5, 2]
+show = [[-1, -2, -3], [4, 5, 6]]
 field_of_view = 45
 up = [0, 0, 2]
 orbit = -3
@@ -158,6 +160,8 @@ shadows = false
 theme = "dark"
 colour_by = "tension"
 colour_range = 9
+colour_steps = "log"
+speed = [[0.5, 0.25], [1, 4]]
 ground_height = -1
 mass_radius = 0.02
 link_radius = 0.01
@@ -274,6 +278,12 @@ TEST(ResolvedToml, KeepsWhatIsSeenAndExpected) {
   EXPECT_EQ(scene.accuracy, "2.5%");
   EXPECT_EQ(scene.camera.eye, Vec3(0, 1, 7));
   EXPECT_EQ(scene.camera.target, Vec3(0, 0.5, 0));
+  EXPECT_EQ(scene.camera.direction, Vec3(1, 0.5, 2));
+  ASSERT_TRUE(scene.camera.show);
+  EXPECT_EQ((*scene.camera.show)[0], Vec3(-1, -2, -3));
+  EXPECT_EQ((*scene.camera.show)[1], Vec3(4, 5, 6));
+  EXPECT_EQ(scene.look.colour_steps, ColourSteps::log);
+  EXPECT_EQ(scene.look.speed, (std::vector<std::array<double, 2>>{{0.5, 0.25}, {1.0, 4.0}}));
   EXPECT_EQ(scene.camera.field_of_view, 45.0);
   EXPECT_EQ(scene.camera.up, Vec3(0, 0, 2));
   EXPECT_EQ(scene.camera.orbit, -3.0);
