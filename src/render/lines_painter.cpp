@@ -31,8 +31,9 @@ struct Grid {
   int bend, sides;
   float most_pixels;
 };
-constexpr std::array ring_grids{Grid{4, 5, 1.5F}, Grid{5, 6, 3.0F}, Grid{7, 9, 7.0F}, Grid{12, 14, 20.0F},
-                                Grid{20, 24, 1e9F}};
+// The first one is for shadows, of whatever size.
+constexpr std::array ring_grids{Grid{3, 3, 0.0F},  Grid{4, 5, 3.0F},    Grid{5, 6, 6.0F},
+                                Grid{7, 9, 12.0F}, Grid{12, 14, 30.0F}, Grid{20, 24, 1e9F}};
 
 constexpr int arrow_sides = 24;
 
@@ -106,9 +107,9 @@ MeshPainter::MeshPainter(const Gl& gl, const ShaderLibrary& library, const Paint
   for (const Mesh& mesh : meshes) levels_.emplace_back(gl, mesh, record_size, attributes);
 }
 
-void MeshPainter::draw(Pass pass) const {
+void MeshPainter::draw(Pass pass, std::size_t first, std::size_t count) const {
   (pass == Pass::colour ? programs_.colour : programs_.shadow).use();
-  for (const Level& level : levels_) {
+  for (const Level& level : std::span(levels_).subspan(first, count)) {
     if (level.records.count() == 0) continue;
     gl_->bind_vertex_array(level.array.name());
     level.triangles.bind();
@@ -139,21 +140,22 @@ void LinesPainter::upload_rings(const std::vector<RingRecord>& rings, float pixe
   for (const RingRecord& ring : rings) {
     const float depth = std::min(glm::length(ring.start), glm::length(ring.end));
     const float pixels = 2.0F * ring.wire_radius / std::max(pixel * depth, 1e-6F);
-    std::size_t which = 0;
+    std::size_t which = 1;
     while (pixels > ring_grids[which].most_pixels) ++which;
     sorted[which].push_back(ring);
   }
-  for (std::size_t i = 0; i < sorted.size(); ++i) rings_->upload(i, sorted[i]);
+  rings_->upload(0, rings);
+  for (std::size_t i = 1; i < sorted.size(); ++i) rings_->upload(i, sorted[i]);
 }
 
 void LinesPainter::draw_shadows() const {
   if (ropes_) ropes_->draw(Pass::shadow);
-  if (rings_) rings_->draw(Pass::shadow);
+  if (rings_) rings_->draw(Pass::shadow, 0, 1);
 }
 
 void LinesPainter::draw_solid() const {
-  if (rings_) rings_->draw(Pass::colour);
-  if (arrows_) arrows_->draw(Pass::colour);
+  if (rings_) rings_->draw(Pass::colour, 1, ring_grids.size() - 1);
+  if (arrows_) arrows_->draw(Pass::colour, 0, 1);
 }
 
 void LinesPainter::draw_ribbons() const {

@@ -17,7 +17,7 @@ class MeshPainter {
     std::vector<GLuint> triangles;
   };
 
-  /// `meshes`: with ever more triangles; records are drawn with one of them each.
+  /// Each of the meshes has records of its own.
   MeshPainter(const Gl& gl, const ShaderLibrary& library, const PainterShaders& shaders,
               const Defines& defines, const std::vector<Mesh>& meshes, std::size_t record_size,
               std::span<const Attribute> attributes);
@@ -26,7 +26,8 @@ class MeshPainter {
   void upload(std::size_t mesh, const std::vector<Record>& records) {
     levels_[mesh].records.upload(std::span(records));
   }
-  void draw(Pass pass) const;
+  /// So many of the meshes from the first on, each with its records.
+  void draw(Pass pass, std::size_t first, std::size_t count) const;
 
  private:
   struct Level {

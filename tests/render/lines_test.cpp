@@ -160,7 +160,7 @@ TEST(Rope, IsSmoothAndKeepsToTheBowThatItsMassesLieOn) {
     if (i == 0) continue;
     EXPECT_EQ(pieces[i - 1].end, pieces[i].start);
     EXPECT_EQ(pieces[i - 1].end_tangent, pieces[i].start_tangent);
-    EXPECT_GT(glm::dot(pieces[i].start_tangent, pieces[i].end_tangent), std::cos(0.11F));
+    EXPECT_GT(glm::dot(pieces[i].start_tangent, pieces[i].end_tangent), std::cos(0.16F));
     const double step = std::remainder(pieces[i].phases.x - pieces[i - 1].phases.y, 2.0 * std::numbers::pi);
     EXPECT_NEAR(0.0, step, 1e-3) << "strands break at piece " << i;
   }
