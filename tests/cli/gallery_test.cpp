@@ -11,10 +11,7 @@
 #include <vector>
 
 #include "program.h"
-
-#define STB_IMAGE_STATIC
-#define STB_IMAGE_IMPLEMENTATION
-#include <stb/stb_image.h>
+#include "read_picture.h"
 
 namespace taut::testing {
 namespace {
@@ -46,21 +43,6 @@ int make(const std::string& arguments, const std::string& folder = {}) {
   return std::system(command.c_str());
 }
 
-struct Pixels {
-  int width = 0, height = 0;
-  std::vector<unsigned char> rgb;
-};
-
-Pixels read_picture(const fs::path& file) {
-  Pixels pixels;
-  int channels = 0;
-  unsigned char* data = stbi_load(file.c_str(), &pixels.width, &pixels.height, &channels, 3);
-  if (data == nullptr) return pixels;
-  pixels.rgb.assign(data, data + 3 * static_cast<std::ptrdiff_t>(pixels.width) * pixels.height);
-  stbi_image_free(data);
-  return pixels;
-}
-
 TEST(Gallery, HasEveryPictureThatItNames) {
   const std::vector<Entry> entries = gallery();
   ASSERT_GT(entries.size(), 10U);
@@ -83,7 +65,7 @@ TEST(GalleryPictures, AreMadeAgain) {
   const std::array<std::string, 3> sample{"pendulum.png", "heavy-tip.png", "hanging-chain-two-pins.png"};
   for (const std::string& name : sample) {
     ASSERT_EQ(make(name, folder / ""), 0) << name;
-    const Pixels there = read_picture(docs / name), again = read_picture(folder / name);
+    const Pixels there = read_picture((docs / name).string()), again = read_picture(folder / name);
     ASSERT_GT(there.width, 0) << name;
     ASSERT_EQ(there.width, again.width) << name;
     ASSERT_EQ(there.height, again.height) << name;

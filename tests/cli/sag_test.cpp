@@ -4,11 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "program.h"
-
-#define STB_IMAGE_IMPLEMENTATION
-#define STB_IMAGE_STATIC
-#define STBI_ONLY_PNG
-#include <stb_image.h>
+#include "read_picture.h"
 
 namespace taut::testing {
 namespace {
@@ -36,15 +32,13 @@ TEST(Sag, NothingIsCutOffAtTheEdgeOfTheSheet) {
   const Ran ran =
       taut({"sag", "hanging-chain-two-pins", "--passes", "4", "--size", "120x100", "-o", folder / "sag"});
   ASSERT_EQ(ran.status, 0) << ran.err;
-  int width = 0, height = 0, channels = 0;
-  unsigned char* pixels = stbi_load((folder / "sag/sag.png").c_str(), &width, &height, &channels, 3);
-  ASSERT_NE(pixels, nullptr);
+  const Pixels sheet = read_picture(folder / "sag/sag.png");
+  ASSERT_GT(sheet.width, 0);
   int inked = 0;
-  for (int y = 0; y < height; ++y)
-    for (const int x : {0, 1, 2, 3, width - 4, width - 3, width - 2, width - 1})
+  for (int y = 0; y < sheet.height; ++y)
+    for (const int x : {0, 1, 2, 3, sheet.width - 4, sheet.width - 3, sheet.width - 2, sheet.width - 1})
       for (int channel = 0; channel < 3; ++channel)
-        inked += pixels[3 * (y * width + x) + channel] != 255 ? 1 : 0;
-  stbi_image_free(pixels);
+        inked += sheet.rgb.at(static_cast<std::size_t>(3 * (y * sheet.width + x) + channel)) != 255 ? 1 : 0;
   EXPECT_EQ(inked, 0);
 }
 

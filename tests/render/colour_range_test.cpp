@@ -74,7 +74,7 @@ double luminance_of(const std::array<double, 3>& light) {
 }
 
 // As seen without the cones for green: Viénot, Brettel and Mollon (1999), red and green become one.
-std::array<double, 3> without_green_cones(const std::array<double, 3>& light) {
+std::array<double, 3> seen_without_green_cones(const std::array<double, 3>& light) {
   const double yellow = 0.29275 * light[0] + 0.70725 * light[1];
   return {yellow, yellow, -0.02234 * light[0] + 0.02234 * light[1] + light[2]};
 }
@@ -86,9 +86,9 @@ TEST(ColourScale, KeepsItsOrderInGreyAndWithoutGreenCones) {
     for (int i = 0; i <= 32; ++i) {
       const std::array<double, 3> light = linear(scale.at(i / 32.0));
       EXPECT_GT(luminance_of(light), last) << i;
-      EXPECT_GT(luminance_of(without_green_cones(light)), last_without) << i;
+      EXPECT_GT(luminance_of(seen_without_green_cones(light)), last_without) << i;
       last = luminance_of(light);
-      last_without = luminance_of(without_green_cones(light));
+      last_without = luminance_of(seen_without_green_cones(light));
     }
     EXPECT_GT((last + 0.05) / (luminance_of(linear(scale.at(0.0))) + 0.05), 4.0) << "the ends are far apart";
   }
