@@ -60,7 +60,7 @@ Built only(const SheetSpec& sheet) {
 SheetSpec drawn_curtain() {
   SheetSpec sheet = sheet_of(8, 28, {-1.0, 2.0, 0.0}, {1.0, 2.0, 0.0}, {0.0, -1.5, 0.0}, {});
   sheet.hooks.every = 9;
-  sheet.hooks.draw = {{0.0, 1.0}, {2.0, 0.4}, {4.0, 1.2}};
+  sheet.hooks.draw = {{0.0, 1.0}, {2.0, 1.2}, {4.0, 0.4}};
   sheet.fullness = 1.6;
   return sheet;
 }
