@@ -22,8 +22,8 @@ using SharedIndices = std::shared_ptr<const std::vector<Index>>;
 struct SurfacePlace {
   glm::vec2 pattern;  ///< one unit a square of the checker or a thread of the weave
   glm::vec3 edges;    ///< xy: from the nearest upright and level border, in widths of a hem, or far away
-                    ///< without one; z: 0 on a torn edge, 1 half a cell from it
-  glm::vec2 light;  ///< in places of the sheets spread out flat
+                      ///< without one; z: 0 on a torn edge, 1 half a cell from it
+  glm::vec2 light;    ///< in places of the sheets spread out flat
 };
 using SharedPlaces = std::shared_ptr<const std::vector<SurfacePlace>>;
 
