@@ -169,9 +169,9 @@ Image sag_sheet(const Scene& scene, const SagStudy& study, const PictureSettings
   const int columns = std::min(most_columns, count), rows = (count + columns - 1) / columns;
   const Font font = Font::load();
   const int width = gap + columns * (panel.width + gap);
-  const double text_width = width - 2.0 * gap;
+  const double room = width - 2.0 * gap;
   const std::vector<std::string> heading =
-      wrapped_to(font, fmt::format("{}: sag over passes", scene.title), heading_letters, text_width);
+      wrapped_to(font, fmt::format("{}: sag over passes", scene.title), heading_letters, room);
   constexpr int heading_line = 34, legend_rows = 58;
   const int heading_height = heading_line * static_cast<int>(heading.size()) + legend_rows;
   const Size whole{width, heading_height + rows * (panel.height + caption_height)};
@@ -181,7 +181,7 @@ Image sag_sheet(const Scene& scene, const SagStudy& study, const PictureSettings
                  {paper, 1.0});
   double y = 38.0;
   for (const std::string& line : heading) {
-    write_fitted(font, sheet, {static_cast<double>(gap), y}, line, heading_letters, text_width, ink);
+    write_fitted(font, sheet, {static_cast<double>(gap), y}, line, heading_letters, room, ink);
     y += heading_line;
   }
   constexpr double swatch = 34.0;
@@ -189,7 +189,7 @@ Image sag_sheet(const Scene& scene, const SagStudy& study, const PictureSettings
   write_fitted(font, sheet, {gap + swatch + 10.0, y},
                fmt::format("the exact shape, behind what {} settles to at {:.6g} steps/s",
                            study.settings.method, study.settings.steps_per_second()),
-               small_letters, text_width - swatch - 10.0, ink);
+               small_letters, room - swatch - 10.0, ink);
   const std::vector<Index> links = drawn_links(scene.model);
   const Image backdrop = backdrop_of(posed, settings);
   const Image lines = exact_lines(posed, study.exact.state, links, backdrop);
