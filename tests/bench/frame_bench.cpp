@@ -41,13 +41,14 @@ void shape(benchmark::State& run, Subject subject) {
   const taut::Scene scene = scene_of(subject);
   const taut::State state = *taut::Simulation(scene).at(subject.time);
   taut::Painter painter(scene, standard());
-  for (auto round : run) benchmark::DoNotOptimize(painter.shape(state));
+  for (auto round : run) benchmark::DoNotOptimize(painter.shape({&state}));
 }
 
 void draw(benchmark::State& run, Subject subject) {
   const taut::Scene scene = scene_of(subject);
   taut::Painter painter(scene, standard());
-  const auto geometry = painter.shape(*taut::Simulation(scene).at(subject.time));
+  const taut::State state = *taut::Simulation(scene).at(subject.time);
+  const auto geometry = painter.shape({&state});
   for (auto round : run) {
     painter.submit(*geometry);
     benchmark::DoNotOptimize(painter.fetch());
@@ -57,7 +58,8 @@ void draw(benchmark::State& run, Subject subject) {
 void finish(benchmark::State& run, Subject subject) {
   const taut::Scene scene = scene_of(subject);
   taut::Painter painter(scene, standard());
-  painter.submit(*painter.shape(*taut::Simulation(scene).at(subject.time)));
+  const taut::State state = *taut::Simulation(scene).at(subject.time);
+  painter.submit(*painter.shape({&state}));
   const auto layers = painter.fetch();
   for (auto round : run) benchmark::DoNotOptimize(taut::flatten(*layers));
 }
@@ -75,7 +77,7 @@ void empty_picture(benchmark::State& run) {
   taut::Painter painter(scene, standard());
   for (auto round : run) {
     scene.camera.eye->x() += 1e-3;
-    painter.submit(*painter.shape(scene.start));
+    painter.submit(*painter.shape({&scene.start}));
     benchmark::DoNotOptimize(painter.fetch());
   }
 }
