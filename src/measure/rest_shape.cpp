@@ -111,10 +111,11 @@ RestShape settle(const Model& model, const State& start, const Settings& setting
   RestShape shape;
   const double allowed = settling.most_movement * scene_size(model, start);
   const auto window = static_cast<std::int64_t>(std::max(1.0, std::round(settling.window * rate)));
-  while (!shape.at_rest && run.state().time < from + settling.most_time) {
-    if (stop && stop()) break;
+  const auto told = [&] { return stop && stop(); };
+  while (!shape.at_rest && run.state().time < from + settling.most_time && !told()) {
     const State before = run.state();
-    for (const std::int64_t end = run.steps() + window; run.steps() < end;)
+    // A window of steps with thousands of passes takes long.
+    for (const std::int64_t end = run.steps() + window; run.steps() < end && !told();)
       if (!run.step()) throw RunFailure(run.failure());
     shape.largest_movement = position_error(run.state(), before);
     shape.at_rest = before.time >= from && shape.largest_movement <= allowed;

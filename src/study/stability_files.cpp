@@ -125,6 +125,7 @@ std::string stability_json(const StabilityMaps& maps, const Scene& scene) {
 
 void write_stability_files(const StabilityMaps& maps, const Scene& scene,
                            const std::filesystem::path& folder) {
+  make_folder(folder);
   write_file(folder / "cells.csv", cells_csv(maps));
   write_file(folder / "edges.csv", edges_csv(maps));
   write_file(folder / "maps.json", stability_json(maps, scene));

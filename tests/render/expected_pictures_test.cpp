@@ -53,6 +53,7 @@ Picture cloth(Pattern pattern, const std::string& name) {
   picture.look.surface = true;
   picture.look.masses = picture.look.links = false;
   picture.look.pattern = pattern;
+  picture.look.thread_pitch = 0.12;  // so coarse that it shows in a small picture
   return picture;
 }
 
