@@ -337,5 +337,24 @@ TEST(Settings, AQualityGoesWithAnySize) {
   EXPECT_LE(render_settings_for(Quality::fine, Size{16384, 16384}).shadow_map_size, 8192);
 }
 
+// A picture so narrow that the sky changes by a few steps of its eight bits only.
+TEST(Sky, PassesFromStepToStepWithoutBands) {
+  Look look = testing::bare_look();
+  const Built scene = testing::row_of_masses({{0.0, 0.0, 0.0}});
+  const CameraPose pose{{0.0, 0.0, 0.0}, {0.0, 0.1, -1.0}, 2.0};
+  const Image image =
+      testing::draw_once(scene.model, scene.start, look, {.size = {64, 256}, .samples = 1}, pose);
+  int between = 0, blocks = 0;
+  for (int top = 0; top < 256; top += 4) {
+    int sum = 0;
+    for (int pixel = 0; pixel < 16; ++pixel)
+      sum += testing::channel_at(image, 32 + pixel % 4, top + pixel / 4, 0);
+    const int over_a_step = sum % 16;
+    between += over_a_step >= 3 && over_a_step <= 13 ? 1 : 0;
+    ++blocks;
+  }
+  EXPECT_GT(between, blocks / 2) << "of " << blocks << " places most lie between two steps";
+}
+
 }  // namespace
 }  // namespace taut

@@ -13,7 +13,7 @@ constexpr std::uint8_t ghost_alpha = 165;
 constexpr double ghost_radius = 0.4;  // of a link's
 constexpr Colour trail_on_light{0.80, 0.22, 0.12}, trail_on_dark{1.0, 0.62, 0.35};
 constexpr double trail_alpha = 235.0;
-constexpr double trail_radius = 0.5;  // of a link's
+constexpr double trail_radius = 0.8;  // of a link's
 
 }  // namespace
 
@@ -61,7 +61,7 @@ void add_trails(Lines& lines, const Seen& seen, const PictureSpace& space, const
       const double age = (now - 0.5 * (trail[i].time + trail[i + 1].time)) / back;
       if (age >= 1.0) continue;
       // Thinner as well as fainter: of alpha alone a picture of few samples shows few steps.
-      const auto radius = static_cast<float>(trail_radius * (1.0 - 0.7 * age) * seen.radii.link);
+      const auto radius = static_cast<float>(trail_radius * (1.0 - 0.5 * age) * seen.radii.link);
       colour[3] = static_cast<std::uint8_t>(trail_alpha * (1.0 - age));
       lines.ghosts.push_back(
           {to_glm(space.place(trail[i].place)), radius, to_glm(space.place(trail[i + 1].place)), colour});
