@@ -84,6 +84,7 @@ MeshPainter::Mesh arrow_mesh() {
 
 std::vector<MeshPainter::Mesh> ring_meshes() {
   std::vector<MeshPainter::Mesh> meshes;
+  meshes.reserve(ring_grids.size());
   for (const Grid& grid : ring_grids) meshes.push_back(ring_mesh(grid));
   return meshes;
 }

@@ -31,9 +31,9 @@ struct GeometryMaker::Parts {
   const Model& model;
   Look look;
   Radii radii;
-  Vec3 anchor;                                      // m
-  double size;                                      // m, of the scene
-  std::optional<State> exact;                       // drawn as a ghost
+  Vec3 anchor;                 // m
+  double size;                 // m, of the scene
+  std::optional<State> exact;  // drawn as a ghost
   std::vector<BodyParts> bodies;
   std::optional<State> start;                       // only where orientations are drawn
   std::optional<SceneSupports> supports;            // only where they are drawn

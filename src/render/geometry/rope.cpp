@@ -116,6 +116,7 @@ std::vector<Sample> samples_of(const Model& model, const State& state, const Lin
 // that is carried along to there, and by the lay. Goes on from sample to sample.
 std::vector<double> phases_of(const std::vector<Sample>& samples, double radius) {
   std::vector<Vec3> tangents;
+  tangents.reserve(samples.size());
   for (const Sample& sample : samples) tangents.push_back(sample.tangent);
   const std::vector<Vec3> normals = carried_normals(tangents);
   std::vector<double> phases;
