@@ -238,8 +238,8 @@ TEST(SpreadSheets, HaveAPlaceForEachVertexOfEachSheet) {
   EXPECT_FLOAT_EQ(cloth.spread->cell_size.x, 0.5F);
   EXPECT_FLOAT_EQ(cloth.spread->cell_size.y, 0.5F);
   std::vector<std::pair<float, float>> places;
-  for (const SurfacePlace& place : *surface_topology(cloth, scene.start)->places)
-    places.emplace_back(place.light.x, place.light.y);
+  const auto topology = surface_topology(cloth, scene.start);
+  for (const SurfacePlace& place : *topology->places) places.emplace_back(place.light.x, place.light.y);
   EXPECT_EQ(places.size(), 3U * 7U + 4U * 11U);
   std::ranges::sort(places);
   EXPECT_EQ(std::ranges::adjacent_find(places), places.end()) << "two in one place";

@@ -27,8 +27,10 @@ TEST(ColourRange, CountsWhatIsAtRestButIsNotLedByItAlone) {
   EXPECT_EQ(range.top(), 1.0);
   range.add(0.3);
   EXPECT_NEAR(range.top(), 0.3, 1e-12);
-  range.add(std::numeric_limits<double>::infinity());
-  range.add(std::nan(""));
+  for (int i = 0; i < 1000; ++i) {
+    range.add(std::numeric_limits<double>::infinity());
+    range.add(std::nan(""));
+  }
   EXPECT_NEAR(range.top(), 0.3, 1e-12) << "what is no number counts for nothing";
 }
 

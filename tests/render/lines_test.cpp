@@ -174,7 +174,8 @@ TEST(Rope, ItsStrandsGoRoundAsOftenWhenItIsStretched) {
     Built scene = row_of_masses({{-1, 0, 0}, {0, 0, 0}, {1, 0, 0}});
     for (std::size_t i = 0; i < 3; ++i) scene.start.position.set(i, stretch * scene.start.position.at(i));
     double phase = 0.0;
-    for (const RopeRecord& piece : seen(scene, look)->lines.ropes) phase += piece.phases.y - piece.phases.x;
+    const auto geometry = seen(scene, look);
+    for (const RopeRecord& piece : geometry->lines.ropes) phase += piece.phases.y - piece.phases.x;
     return phase / (2.0 * std::numbers::pi);
   };
   EXPECT_NEAR(-3.0 * 2.0 / (8.5 * 0.02), turned(1.0), 1e-3);  // strands, metres, metres to go round
