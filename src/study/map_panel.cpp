@@ -58,9 +58,10 @@ struct PanelScale {
 
 std::string image_of(const MapGrid& grid, const std::vector<std::size_t>& paints) {
   std::string text;
-  for (std::size_t i = 0; i < paints.size(); ++i)
-    text += image_cell(static_cast<double>(i % grid.columns.size()),
-                       static_cast<double>(i / grid.columns.size()), map_paint(paints[i]));
+  for (std::size_t i = 0; i < paints.size(); ++i) {
+    const std::size_t column = i % grid.columns.size(), row = i / grid.columns.size();
+    text += image_cell(static_cast<double>(column), static_cast<double>(row), map_paint(paints[i]));
+  }
   return text;
 }
 

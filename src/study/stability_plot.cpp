@@ -99,9 +99,9 @@ PlotScript overview_plot(const StabilityMaps& maps, const MapHeading& heading) {
                        page_width, top + title + head_height - 20.0};
   std::string panels;
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t column = i % across;
+    const std::size_t column = i % across, row = i / across;
     const double left = page_left + pitch * static_cast<double>(column);
-    const double upper = top - row_pitch * static_cast<double>(i / across);
+    const double upper = top - row_pitch * static_cast<double>(row);
     panels += map_panel(maps, maps.maps[i],
                         {left, left + width, upper - height, upper, all.page_width, all.page_height},
                         {titles[i], i + across >= count, column == 0});
