@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <string_view>
 
 #include "model/measures.h"
@@ -25,11 +26,16 @@ std::string place_of(const Ground& ground) {
 
 std::size_t masses_outside(const Scene& scene, Size size, const State& state) {
   const CameraPose pose = camera_pose(scene.camera, scene.model, scene.start, state);
+  // Of all masses at once, so what is the same for them is worked out before.
+  const Eigen::Matrix3d to_picture = sight_axes(pose.eye - pose.target, pose.up).transpose();
+  const double up = std::tan(0.5 * pose.field_of_view * std::numbers::pi / 180.0);
+  const double right = up * size.width / size.height;
   std::size_t outside = 0;
   for (std::size_t i = 0; i < state.position.size(); ++i) {
-    const Vec3 at = picture_position(pose, size.width, size.height, state.position.at(i));
+    const Vec3 seen = to_picture * (state.position.at(i) - pose.eye);
+    const double depth = -seen.z();
     const bool inside =
-        at.z() > 0.0 && at.x() >= 0.0 && at.x() <= size.width && at.y() >= 0.0 && at.y() <= size.height;
+        depth > 0.0 && std::abs(seen.x()) <= right * depth && std::abs(seen.y()) <= up * depth;
     if (!inside) ++outside;
   }
   return outside;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "colour_vision.h"
 #include "geometry/colour_scale.h"
 
 namespace taut {
@@ -75,12 +76,6 @@ double luminance_of(const std::array<double, 3>& light) {
   return 0.2126 * light[0] + 0.7152 * light[1] + 0.0722 * light[2];
 }
 
-// As seen without the cones for green: Viénot, Brettel and Mollon (1999), red and green become one.
-std::array<double, 3> seen_without_green_cones(const std::array<double, 3>& light) {
-  const double yellow = 0.29275 * light[0] + 0.70725 * light[1];
-  return {yellow, yellow, -0.02234 * light[0] + 0.02234 * light[1] + light[2]};
-}
-
 TEST(ColourScale, KeepsItsOrderInGreyAndWithoutGreenCones) {
   for (const Theme theme : {Theme::light, Theme::dark}) {
     const ColourScale scale{1.0, theme};
@@ -88,9 +83,9 @@ TEST(ColourScale, KeepsItsOrderInGreyAndWithoutGreenCones) {
     for (int i = 0; i <= 32; ++i) {
       const std::array<double, 3> light = linear(scale.at(i / 32.0));
       EXPECT_GT(luminance_of(light), last) << i;
-      EXPECT_GT(luminance_of(seen_without_green_cones(light)), last_without) << i;
+      EXPECT_GT(luminance_of(testing::without_green_cones(light)), last_without) << i;
       last = luminance_of(light);
-      last_without = luminance_of(seen_without_green_cones(light));
+      last_without = luminance_of(testing::without_green_cones(light));
     }
     EXPECT_GT((last + 0.05) / (luminance_of(linear(scale.at(0.0))) + 0.05), 4.0) << "the ends are far apart";
   }

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "colour_vision.h"
 #include "geometry/body_hues.h"
 #include "geometry/geometry.h"
 #include "geometry/torso.h"
@@ -280,14 +281,13 @@ TEST(Figures, LimbsThatMeetHaveOneColourThereWhateverTheyAreColouredBy) {
   EXPECT_TRUE(graded) << "colours run from joint to joint";
 }
 
-// As an eye without the cones for green sees a colour (Viénot, Brettel and Mollon 1999).
+// As an eye without the cones for green sees a colour.
 Oklab without_green_cones(const Colour& colour) {
   std::array<double, 3> light{};
   for (std::size_t i = 0; i < 3; ++i) light[i] = std::pow(colour[i], 2.2);
-  const double yellow = 0.29275 * light[0] + 0.70725 * light[1];
-  const double blue = -0.02234 * light[0] + 0.02234 * light[1] + light[2];
+  const auto [red, green, blue] = testing::without_green_cones(light);
   const auto shown = [](double value) { return std::pow(std::clamp(value, 0.0, 1.0), 1.0 / 2.2); };
-  return oklab({shown(yellow), shown(yellow), shown(blue)});
+  return oklab({shown(red), shown(green), shown(blue)});
 }
 
 double difference(const Oklab& a, const Oklab& b) {

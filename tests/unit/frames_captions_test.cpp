@@ -1,14 +1,15 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <string>
 #include <vector>
 
 #include "frames/captions.h"
 #include "frames/panels.h"
 #include "frames/simulation.h"
+#include "output/plot_colour.h"
 #include "panel_runs.h"
 #include "scenes_of_the_program.h"
 
@@ -29,17 +30,8 @@ std::array<int, 3> pixel(const Image& image, int x, int y) {
   return {image.pixels[at], image.pixels[at + 1], image.pixels[at + 2]};
 }
 
-// Relative luminance (WCAG 2.1).
-double luminance(const std::array<int, 3>& rgb) {
-  const auto linear = [](int level) {
-    const double share = level / 255.0;
-    return share <= 0.04045 ? share / 12.92 : std::pow((share + 0.055) / 1.055, 2.4);
-  };
-  return 0.2126 * linear(rgb[0]) + 0.7152 * linear(rgb[1]) + 0.0722 * linear(rgb[2]);
-}
-
-double contrast(double a, double b) {
-  return (std::max(a, b) + 0.05) / (std::min(a, b) + 0.05);
+std::string hexadecimal(const std::array<int, 3>& rgb) {
+  return fmt::format("#{:02x}{:02x}{:02x}", rgb[0], rgb[1], rgb[2]);
 }
 
 Image captioned(Theme theme, const Caption& caption, Size size = picture) {
@@ -52,11 +44,12 @@ Image captioned(Theme theme, const Caption& caption, Size size = picture) {
 
 // The greatest contrast to the plate in some rows: that of the ink itself.
 double ink_contrast(const Image& image, int from, int to) {
-  const double plate = luminance(pixel(image, 1, image.size.height - 2));
+  const std::array<int, 3> plate = pixel(image, 1, image.size.height - 2);
   double most = 1.0;
   for (int y = from; y < to; ++y)
     for (int x = 0; x < image.size.width; ++x)
-      most = std::max(most, contrast(plate, luminance(pixel(image, x, y))));
+      if (const std::array<int, 3> here = pixel(image, x, y); here != plate)
+        most = std::max(most, contrast_ratio(hexadecimal(plate), hexadecimal(here)));
   return most;
 }
 
