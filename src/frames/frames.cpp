@@ -286,10 +286,11 @@ RenderOutcome Pipeline::run() {
   const auto start = std::chrono::steady_clock::now();
   PanelRuns runs(
       scenes_, request_.execution);  // first of all: what a method refuses is said before anything is written
+  // So is that there is no way to draw, or no exact shape.
+  PanelPainter painter(scenes_, request_.picture);
   if (job_.folder) job_.folder->begin();
   std::optional<Film> film;
   if (job_.make_film) start_film(film);
-  PanelPainter painter(scenes_, request_.picture);
   outcome_.drawn_by = painter.drawn_by();
   if (job_.folder) job_.folder->set_drawn_by(outcome_.drawn_by);
   progress_.start(static_cast<int>(job_.frames.size()));
