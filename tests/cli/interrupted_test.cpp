@@ -100,8 +100,12 @@ TEST_P(InterruptedTest, EndsInTheMiddleOfAStep) {
 #endif
   const TemporaryFolder folder;
   const auto [signal, status] = GetParam();
+  // An eye that is given: looking for one would run the net coarsely before the step begins.
   const std::string scene = folder.write("net.toml", R"([world]
 duration = 1
+[camera]
+eye = [1.5, 1.5, 6]
+target = [1.5, 1.5, 0]
 [solve]
 method = "newton"
 steps_per_second = 30
