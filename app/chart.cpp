@@ -33,7 +33,7 @@ namespace {
 
 struct ChartFlags {
   std::vector<std::string> scenes, sets, methods, errors;
-  std::string horizon, budget = "60s", folder = "out/chart";
+  std::string horizon, budget = "60s", folder = "out/chart", shard;
   bool all = false, plans = false, overwrite = false, draw_only = false, json = false, quiet = false;
 };
 
@@ -61,6 +61,9 @@ ChartRequest request_from(const ChartFlags& flags) {
   if (!flags.horizon.empty()) request.horizon = positive("--horizon", flags.horizon);
   request.budget = positive("--budget", flags.budget);
   request.overwrite = flags.overwrite;
+  request.shard = chosen_shard(flags.shard);
+  if (!request.shard.all() && flags.plans)
+    throw BadRequest("--plans needs the cases of all shards: run it without --shard afterwards");
   return request;
 }
 
@@ -143,7 +146,7 @@ int chart(const ChartFlags& flags) {
       stop_if_told(stop);
       // What is missing is the reason for the status, so it is said in any case.
       if (!flags.quiet || !charts.back().complete()) print_summary(charts.back(), flags.folder);
-      write_chart(charts.back(), flags.folder);
+      if (request.shard.all()) write_chart(charts.back(), flags.folder);
       if (!charts.back().complete()) status = exit_incomplete;
       if (flags.plans)
         std::ranges::move(judge_plans(scene, charts.back(), stop), std::back_inserter(verdicts));
@@ -151,7 +154,7 @@ int chart(const ChartFlags& flags) {
   } catch (const Interrupted&) {
     return report_interrupted(interrupts, "running the same again goes on, in " + flags.folder);
   }
-  write_overviews(charts, flags.folder);
+  if (request.shard.all()) write_overviews(charts, flags.folder);
   if (flags.plans) write_file(std::filesystem::path(flags.folder) / "plans.md", plan_table(verdicts));
   if (flags.json) print_json(charts);
   return status;
@@ -182,6 +185,7 @@ void add_chart(CommandLine& program) {
       ->allow_extra_args(false);
   verb->add_option("-o,--output", flags->folder, "Folder for charts, tables and chart.html")
       ->capture_default_str();
+  add_shard(*verb, flags->shard, "run without it afterwards to draw");
   verb->add_flag("--overwrite", flags->overwrite, "Replace what was measured there before");
   verb->add_flag(
       "--draw-only", flags->draw_only,

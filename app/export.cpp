@@ -11,7 +11,7 @@
 #include "command_line.h"
 #include "exit_status.h"
 #include "flags.h"
-#include "frames/film_time.h"
+#include "frames/film_frames.h"
 #include "frames/frame_selection.h"
 #include "frames/simulation.h"
 #include "frames/still.h"
@@ -44,8 +44,8 @@ std::vector<Instant> instants(const ExportFlags& flags, const Scene& scene) {
   std::vector<Instant> result;
   if (flags.times.empty()) {
     const FrameRate rate = parse_frame_rate("--fps", flags.rate);
-    for (const int frame : all_frames(frame_count(film_duration(scene.look, scene.duration), rate)))
-      result.push_back({frame, std::min(scene_time(scene.look, frame_time(frame, rate)), scene.duration)});
+    for (const int frame : all_frames(film_frame_count(scene, rate)))
+      result.push_back({frame, shown_time(scene, frame, rate)});
     return result;
   }
   for (const std::string_view part : split(flags.times, ',')) {

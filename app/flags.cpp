@@ -51,8 +51,10 @@ GlChoice parse_gl(const std::string& text) {
 
 }  // namespace
 
-void SceneFlags::add_to(Verb& verb) {
-  verb.add_option("SCENE", scene, "A scene file, or the bare name of one of `taut list scenes`")->required();
+void SceneFlags::add_to(Verb& verb, const std::string& optional) {
+  Flag* argument = verb.add_option("SCENE", scene,
+                                   "A scene file, or the bare name of one of `taut list scenes`" + optional);
+  if (optional.empty()) argument->required();
   add_changes_to(verb);
 }
 
@@ -87,6 +89,16 @@ Execution on_threads(int count) {
 
 SceneOverrides SceneFlags::overrides() const {
   return {sets, method.empty() ? std::nullopt : std::optional(method)};
+}
+
+void add_shard(Verb& verb, std::string& shard, const std::string& afterwards) {
+  verb.add_option(
+      "--shard", shard,
+      fmt::format("Only part i of n: i/n [SLURM_ARRAY_TASK_ID and SLURM_ARRAY_TASK_COUNT]; {}", afterwards));
+}
+
+Shard chosen_shard(const std::string& text) {
+  return text.empty() ? shard_of_this_task() : parse_shard(text);
 }
 
 Scene load(const std::string& argument, const SceneOverrides& overrides) {

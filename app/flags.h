@@ -6,6 +6,7 @@
 
 #include "command_line.h"
 #include "frames/painter.h"
+#include "host/shard.h"
 #include "methods/method.h"
 #include "scene/scene.h"
 
@@ -18,8 +19,8 @@ struct SceneFlags {
   std::string method;
   std::string threads;
 
-  /// Adds the argument SCENE and the flags.
-  void add_to(Verb& verb);
+  /// Adds the argument SCENE and the flags; `optional`: when it may be left out.
+  void add_to(Verb& verb, const std::string& optional = "");
   /// Adds only the flags.
   void add_changes_to(Verb& verb);
   /// Adds what thread_count() reads.
@@ -38,6 +39,12 @@ Scene load(const std::string& argument, const SceneOverrides& overrides);
 
 /// Says on stderr what is allowed in a scene but seldom meant, unless it is to be quiet.
 void print_notes(const Scene& scene, bool quiet);
+
+/// Adds the flag --shard; `afterwards` says what is done when all shards are there.
+void add_shard(Verb& verb, std::string& shard, const std::string& afterwards);
+
+/// The part that the flag's text means, or else what a Slurm array says. Throws BadRequest.
+Shard chosen_shard(const std::string& text);
 
 /// How pictures are made.
 struct PictureFlags {

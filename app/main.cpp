@@ -42,6 +42,7 @@ int run(int argument_count, char** arguments) {
   program.footer("`taut VERB --help` says more.\n\nExample:\n  taut render hanging-chain --film chain.mp4");
   add_render(program);
   add_compare(program);
+  add_simulate(program);
   add_still(program);
   add_strip(program);
   add_check(program);
@@ -49,6 +50,8 @@ int run(int argument_count, char** arguments) {
   add_export(program);
   add_sag(program);
   add_stability(program);
+  add_merge(program);
+  add_verify(program);
   add_bench(program);
   add_list(program);
   std::string simd;

@@ -32,6 +32,7 @@ void print_json(std::span<const Scene> scenes, const RenderRequest& request, con
   Json json{{"scene", scenes.front().name},
             {"method", scenes.front().settings.method},
             {"frames", {{"asked", outcome.asked}, {"there", outcome.shown}, {"kept", outcome.kept}}},
+            {"resumed_at_frame", outcome.resumed_at},
             {"folder", nullptr},
             {"film", nullptr},
             {"width", outcome.size.width},
@@ -72,6 +73,7 @@ void print_summary(std::span<const Scene> scenes, const RenderRequest& request,
                    const RenderOutcome& outcome) {
   const std::string kept = outcome.kept > 0 ? fmt::format(", {} of them there already", outcome.kept) : "";
   fmt::print(stderr, "{}: {} of {} frames{}", scenes.front().name, outcome.shown, outcome.asked, kept);
+  if (outcome.resumed_at > 0) fmt::print(stderr, ", went on at frame {}", outcome.resumed_at);
   if (request.folder) fmt::print(stderr, ", in {}", request.folder->string());
   if (request.film && !outcome.stopped) fmt::print(stderr, ", film in {}", request.film->string());
   if (request.film && outcome.stopped) fmt::print(stderr, ", no film");
@@ -102,7 +104,8 @@ void OutputFlags::add_to(Verb& verb, const std::string& usual_folder) {
   verb.add_flag("--no-frames", no_frames, "Only the film, no PNG files");
   verb.add_option("--frames", selection, "Only these frames, such as 1-100:2,150");
   picture.add_to(verb);
-  verb.add_option("--fps", rate, "Frames per second, such as 30, 29.97 or 24000/1001")->capture_default_str();
+  verb.add_option("--fps", rate, "Frames per second, such as 30, 29.97 or 24000/1001 [30]");
+  add_shard(verb, shard, "taut merge joins them");
   verb.add_flag("--overwrite", overwrite, "Replace frames and a film that are there already");
   verb.add_flag("--json", json, "Print a summary as JSON on stdout");
   verb.add_flag("-v,--verbose", verbose, "Also say what drew, and where the time went");
@@ -114,7 +117,8 @@ RenderRequest OutputFlags::request(const std::string& usual_folder, std::optiona
   if (!no_frames) request.folder = folder.empty() ? usual_folder : folder;
   if (!film.empty()) request.film = film;
   if (!selection.empty()) request.selection = selection;
-  request.rate = parse_frame_rate("--fps", rate);
+  request.rate = rate.empty() ? FrameRate{} : parse_frame_rate("--fps", rate);
+  request.shard = chosen_shard(shard);
   request.picture = picture.settings(usual);
   if (json && goes_to_standard_output(film))
     throw BadRequest("--film and --json can't both write to standard output");

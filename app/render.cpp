@@ -1,11 +1,15 @@
 #include <memory>
 #include <optional>
+#include <string>
 
+#include "base/failure.h"
 #include "command_line.h"
 #include "flags.h"
+#include "frames/simulate.h"
 #include "interrupted.h"
 #include "output_flags.h"
 #include "planning.h"
+#include "values.h"
 #include "verbs.h"
 
 namespace taut {
@@ -15,9 +19,38 @@ struct RenderFlags {
   SceneFlags scene;
   OutputFlags output;
   PlanFlags plan;
+  std::string motion;
 };
 
+// The motion's own scene where none is named, with its camera and look.
+Scene scene_of(const RenderFlags& flags, const std::optional<StoredMotion>& motion) {
+  if (!flags.scene.scene.empty()) return load(flags.scene.scene, flags.scene.overrides());
+  Scene scene = parse_scene(motion->manifest.scene_toml, flags.motion, flags.scene.overrides());
+  scene.name = motion->manifest.scene;
+  return scene;
+}
+
+// Only camera and look are the command line's: how it moves is settled.
+int draw_motion(const RenderFlags& flags) {
+  if (!flags.plan.accuracy.empty() || flags.output.certify)
+    throw BadRequest("with --motion nothing is simulated: neither --accuracy nor --certify goes with it");
+  const StoredMotion motion = open_motion(flags.motion);
+  Scene scene = scene_of(flags, motion);
+  require_same_motion(scene, motion);
+  print_notes(scene, flags.output.quiet);
+  flags.output.picture.apply_to(scene);
+  RenderRequest request = flags.output.request("out/" + scene.name);
+  if (flags.output.rate.empty()) request.rate = parse_frame_rate("--fps", motion.manifest.frame_rate);
+  request.motion = motion.reader;
+  const InterruptWatch interrupts(end_at_once);
+  return unless_interrupted(interrupts, "nothing was written", [&] {
+    return render_and_report({&scene, 1}, request, flags.output, interrupts);
+  });
+}
+
 int render(const RenderFlags& flags) {
+  if (!flags.motion.empty()) return draw_motion(flags);
+  if (flags.scene.scene.empty()) throw BadRequest("render needs a SCENE, or --motion FOLDER");
   Scene scene = load(flags.scene.scene, flags.scene.overrides());
   print_notes(scene, flags.output.quiet);
   flags.output.picture.apply_to(scene);
@@ -37,13 +70,17 @@ int render(const RenderFlags& flags) {
 void add_render(CommandLine& program) {
   Verb* verb = program.add_subcommand("render", "Simulate a scene and make frames and a film of it");
   const auto flags = std::make_shared<RenderFlags>();
-  flags->scene.add_to(*verb);
+  flags->scene.add_to(*verb, "; not needed with --motion");
   flags->scene.add_threads_to(*verb);
   flags->plan.add_to(*verb);
   add_certify(*verb, flags->output.certify);
   flags->output.add_to(*verb, "out/<scene>");
+  verb->add_option("--motion", flags->motion,
+                   "Draw what `taut simulate` left in this folder, with any camera and look, instead of "
+                   "simulating");
   verb->footer(
-      "Running the same again goes on where it stopped.\n\n"
+      "Running the same again goes on where it stopped, from the last checkpoint. Shards fill one folder "
+      "together.\n\n"
       "Example:\n  taut render curtain --film curtain.mp4 --set world.drag=0.5");
   verb->action([flags] { return render(*flags); });
 }

@@ -26,7 +26,7 @@ constexpr int most_passes = 100000;
 struct SagFlags {
   SceneFlags scene;
   PictureFlags picture;
-  std::string passes = "1,2,4,8,16,32,64,128,256", folder;
+  std::string passes = "1,2,4,8,16,32,64,128,256", folder, shard;
   bool json = false, quiet = false;
 };
 
@@ -52,31 +52,40 @@ SceneOverrides sag_overrides(const SceneFlags& flags) {
 }
 
 int sag(const SagFlags& flags) {
-  const std::vector<int> passes = parse_passes(flags.passes);
+  SagRequest request;
+  request.passes = parse_passes(flags.passes);
+  request.shard = chosen_shard(flags.shard);
   Scene scene = load(flags.scene.scene, sag_overrides(flags.scene));
   flags.picture.apply_to(scene);
   if (!flags.picture.colour.empty()) require_colours(scene);
   print_notes(scene, flags.quiet);
   const PictureSettings settings = flags.picture.settings(sag_panel);
   const std::string folder = flags.folder.empty() ? "out/" + scene.name + "-sag" : flags.folder;
+  request.folder = folder;
   require_gnuplot();
   const InterruptWatch interrupts(end_at_once);
   Progress progress(stderr, progress_style(stderr, flags.quiet), "rest shapes");
-  progress.start(static_cast<int>(passes.size()));
+  progress.start(static_cast<int>(request.passes.size()));
   std::optional<SagStudy> study;
-  const int status = unless_interrupted(interrupts, "nothing was written", [&] {
+  const int status = unless_interrupted(interrupts, "running the same again goes on", [&] {
     study = study_sag(
-        scene, passes, [&](int done) { progress.update(done); }, stop_test(interrupts));
+        scene, request, [&](int done) { progress.update(done); }, stop_test(interrupts));
     return exit_done;
   });
   progress.finish();
   if (status != exit_done) return status;
+  if (!request.shard.all()) {
+    if (!flags.quiet)
+      fmt::print(stderr, "{}: {} shapes, in {}; run without --shard afterwards to draw\n", scene.name,
+                 study->entries.size(), folder);
+    return exit_done;
+  }
   write_sag_files(scene, *study, settings, folder);
   if (flags.json) fmt::print("{}", sag_json(scene, *study));
   if (!flags.quiet)
     fmt::print(stderr, "{}: exact sag {:.4f} m; with {} {} of {} {:.4f} m; in {}\n", scene.name,
-               study->exact_sag, passes.back(), passes.back() == 1 ? "pass" : "passes",
-               study->settings.method, study->entries[passes.size() - 1].sag, folder);
+               study->exact_sag, request.passes.back(), request.passes.back() == 1 ? "pass" : "passes",
+               study->settings.method, study->entries[request.passes.size() - 1].sag, folder);
   return exit_done;
 }
 
@@ -89,6 +98,7 @@ void add_sag(CommandLine& program) {
   flags->scene.add_to(*verb);
   verb->add_option("--passes", flags->passes, "Passes over all links in each step")->capture_default_str();
   verb->add_option("-o,--output", flags->folder, "The folder [out/SCENE-sag]");
+  add_shard(*verb, flags->shard, "run without it afterwards to draw");
   flags->picture.add_to(*verb);
   verb->add_flag("--json", flags->json, "Print the numbers as JSON on stdout");
   verb->add_flag("--quiet", flags->quiet, "No messages but errors");

@@ -63,7 +63,7 @@ MapJob job_for(const StabilityFlags& flags, const std::string& scene, const std:
   if (!(duration > 0.0)) throw BadRequest("--duration must be above 0 s");
   job.request.methods = chosen_methods(flags.methods);
   job.request.grid = make_map_grid(job.scene, find_map_axes(axes), grid.width, grid.height, duration);
-  job.request.shard = flags.shard.empty() ? shard_of_this_task() : parse_shard(flags.shard);
+  job.request.shard = chosen_shard(flags.shard);
   job.request.overwrite = flags.overwrite;
   job.request.run = !flags.draw_only;
   check_map_request(job.scene, job.request);
@@ -129,9 +129,7 @@ void add_stability(CommandLine& program) {
   verb->add_option("-o,--output", flags->folder, "Folder [out/stability]");
   verb->add_flag("--resume", flags->resume, "Go on where an earlier run stopped, as it does anyway");
   verb->add_flag("--overwrite", flags->overwrite, "Begin anew, whatever the folder holds");
-  verb->add_option("--shard", flags->shard,
-                   "Only part i of n: i/n [SLURM_ARRAY_TASK_ID and SLURM_ARRAY_TASK_COUNT]. Run without it "
-                   "afterwards to draw");
+  add_shard(*verb, flags->shard, "run without it afterwards to draw");
   verb->add_flag(
       "--draw-only", flags->draw_only,
       "Run nothing, draw what is there, whatever build has made it; status 3 where columns are missing");

@@ -15,6 +15,9 @@ void add_export(CommandLine& program);
 void add_sag(CommandLine& program);
 void add_stability(CommandLine& program);
 void add_bench(CommandLine& program);
+void add_simulate(CommandLine& program);
+void add_merge(CommandLine& program);
+void add_verify(CommandLine& program);
 void add_list(CommandLine& program);
 
 }  // namespace taut

@@ -3,23 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <chrono>
 #include <system_error>
 #include <utility>
 #include <vector>
 
 #include "base/failure.h"
+#include "base/hash.h"
 #include "output/atomic_file.h"
-#include "output/png_check.h"
+#include "output/content_hash.h"
 
 namespace taut {
 namespace {
 
 namespace fs = std::filesystem;
-
-// The manifest is written whole, so the longer it gets the more rarely it is.
-bool time_to_save(std::size_t unsaved, std::size_t frames) {
-  return unsaved >= std::max<std::size_t>(30, frames / 10);
-}
 
 bool is_frame_name(const std::string& name) {
   constexpr std::string_view before = "frame-", after = ".png";
@@ -29,16 +27,9 @@ bool is_frame_name(const std::string& name) {
   return std::ranges::all_of(digits, [](char c) { return c >= '0' && c <= '9'; });
 }
 
-std::vector<fs::path> frames_in(const fs::path& folder) {
-  std::vector<fs::path> frames;
-  std::error_code error;  // a folder that is not there has no frames
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
-    if (is_frame_name(entry.path().filename().string())) frames.push_back(entry.path());
-  return frames;
-}
-
 // The first thing in which two manifests differ, for people.
 std::string difference(const Manifest& there, const Manifest& wanted) {
+  if (there.kind != wanted.kind) return fmt::format("another kind, {}", there.kind);
   if (there.scene != wanted.scene) return fmt::format("the scene {}", there.scene);
   if (there.method != wanted.method) return fmt::format("the method {}", there.method);
   if (there.settings != wanted.settings) return "other settings of the method";
@@ -48,66 +39,146 @@ std::string difference(const Manifest& there, const Manifest& wanted) {
   if (there.frames_per_second != wanted.frames_per_second)
     return fmt::format("{} frames/s", there.frames_per_second);
   if (there.picture != wanted.picture) return "other picture settings";
-  return "another build of taut";
+  if (there.physics != wanted.physics) return "a taut whose methods move otherwise";
+  return there.drawing != wanted.drawing ? "a taut that draws otherwise" : "other inputs";
 }
 
 }  // namespace
 
-FrameFolder::FrameFolder(fs::path folder, Manifest wanted, bool overwrite)
-    : folder_(std::move(folder)), manifest_(std::move(wanted)), overwrite_(overwrite) {
+std::map<std::string, Manifest> manifests_in(const fs::path& folder) {
+  std::map<std::string, Manifest> manifests;
+  std::error_code error;  // a folder that is not there has none
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with("manifest") || !name.ends_with(".json")) continue;
+    if (const std::optional<Manifest> manifest = read_manifest(entry.path())) manifests[name] = *manifest;
+  }
+  return manifests;
+}
+
+std::string manifest_name(const Shard& shard) {
+  return shard.all() ? "manifest.json" : fmt::format("manifest-{}-of-{}.json", shard.index, shard.count);
+}
+
+fs::path frame_file(const fs::path& folder, int frame) {
+  return folder / fmt::format("frame-{:06}.png", frame);
+}
+
+std::vector<int> frame_files_in(const fs::path& folder) {
+  std::vector<int> frames;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+    if (const std::string name = entry.path().filename().string(); is_frame_name(name))
+      frames.push_back(std::stoi(name.substr(6, 6)));
+  std::ranges::sort(frames);
+  return frames;
+}
+
+FrameFolder::FrameFolder(fs::path folder, Manifest wanted, const Shard& shard, bool overwrite)
+    : folder_(std::move(folder)),
+      manifest_(std::move(wanted)),
+      shard_(shard),
+      overwrite_(overwrite),
+      seen_(bytes_of_file(manifest_file())),
+      clock_(std::make_unique<CheckpointClock>()) {
   if (overwrite_) return;
-  const std::optional<Manifest> there = read_manifest(manifest_file());
-  if (there && there->inputs != manifest_.inputs)
-    throw OutputConflict(
-        fmt::format("{} holds frames made from {}; --overwrite replaces them, -o chooses another folder",
-                    folder_.string(), difference(*there, manifest_)));
-  if (!there && !frames_in(folder_).empty())
+  const std::map<std::string, Manifest> there = manifests_in(folder_);
+  for (const auto& [name, manifest] : there)
+    if (manifest.inputs != manifest_.inputs)
+      throw OutputConflict(
+          fmt::format("{} holds frames made from {}; --overwrite replaces them, -o chooses another folder",
+                      folder_.string(), difference(manifest, manifest_)));
+  if (there.empty() && !frame_files_in(folder_).empty())
     throw OutputConflict(
         fmt::format("{} holds frames but no manifest.json that says what they were made from; --overwrite "
                     "replaces them, -o chooses another folder",
                     folder_.string()));
-  if (!there) return;
-  manifest_.films = there->films;
-  keep_whole_frames(there->frames);
+  for (const auto& [name, manifest] : there)
+    if (shard_.all() || name == manifest_name(shard_)) take_over(manifest);
 }
 
-void FrameFolder::keep_whole_frames(const std::map<int, std::string>& frames) {
-  for (const auto& [frame, hash] : frames)
-    if (is_whole_png(frame_file(frame), manifest_.size)) manifest_.frames[frame] = hash;
+void FrameFolder::take_over(const Manifest& there) {
+  manifest_.films.insert(manifest_.films.end(), there.films.begin(), there.films.end());
+  manifest_.colour_range = std::max(manifest_.colour_range, there.colour_range);
+  manifest_.drawn_by = there.drawn_by;
+  if (manifest_.kind != "frames") return;
+  for (const auto& [frame, record] : there.frames)
+    if (content_hash(frame_file(frame)) == record.content) manifest_.frames[frame] = record;
 }
 
 void FrameFolder::begin() {
   make_folder(folder_);
+  lock_ = std::make_unique<FolderLock>(folder_, fmt::format(".{}.lock", manifest_name(shard_)));
+  if (bytes_of_file(manifest_file()) != seen_)
+    throw RunFailure(
+        fmt::format("another taut has worked in {} in the meantime; run the same again", folder_.string()));
   if (overwrite_) remove_frames();
   save();
 }
 
+// A shard that begins anew leaves what others have made.
 void FrameFolder::remove_frames() const {
-  for (const fs::path& frame : frames_in(folder_)) {
+  std::vector<fs::path> files{checkpoint_file()};
+  if (shard_.all()) {
+    for (const int frame : frame_files_in(folder_)) files.push_back(frame_file(frame));
+    for (const auto& entry : fs::directory_iterator(folder_))
+      if (entry.path().filename().string().starts_with("manifest-")) files.push_back(entry.path());
+  }
+  for (const fs::path& file : files) {
     std::error_code error;
-    fs::remove(frame, error);
-    if (error) throw RunFailure(fmt::format("can't remove {}: {}", frame.string(), error.message()));
+    fs::remove(file, error);
+    if (error) throw RunFailure(fmt::format("can't remove {}: {}", file.string(), error.message()));
   }
 }
 
-fs::path FrameFolder::frame_file(int frame) const {
-  return folder_ / fmt::format("frame-{:06}.png", frame);
+fs::path FrameFolder::checkpoint_file() const {
+  return folder_ / (shard_.all() ? "checkpoint.bin"
+                                 : fmt::format("checkpoint-{}-of-{}.bin", shard_.index, shard_.count));
 }
 
 void FrameFolder::write(int frame, std::span<const std::uint8_t> png, const std::string& state_hash) {
   write_file(frame_file(frame), std::as_bytes(png));
-  manifest_.frames[frame] = state_hash;
-  if (time_to_save(++unsaved_, manifest_.frames.size())) save();
+  unsynced_.push_back(frame_file(frame));
+  add(frame, {state_hash, Hash().add(std::as_bytes(png)).hex()});
 }
 
-void FrameFolder::add_film(const FilmRecord& film) {
-  std::erase_if(manifest_.films, [&](const FilmRecord& other) { return other.file == film.file; });
-  manifest_.films.push_back(film);
+void FrameFolder::add(int frame, const FrameRecord& record) {
+  manifest_.frames[frame] = record;
+  if (clock_->due()) save();
+}
+
+std::optional<Checkpoint> FrameFolder::checkpoint(std::span<const int> frames) const {
+  if (overwrite_) return std::nullopt;
+  std::optional<Checkpoint> there = read_checkpoint(checkpoint_file(), manifest_.inputs);
+  if (!there) return std::nullopt;
+  const bool all_before =
+      std::ranges::all_of(frames, [&](int frame) { return frame >= there->frame || has(frame); });
+  return all_before ? std::move(there) : std::nullopt;
+}
+
+void FrameFolder::write(const Checkpoint& checkpoint) {
+  sync_files(unsynced_);
+  unsynced_.clear();
+  save();
+  sync_files(std::array{manifest_file()});
+  write_checkpoint(checkpoint_file(), manifest_.inputs, checkpoint);
+}
+
+void FrameFolder::remove_checkpoint() const {
+  std::error_code error;  // one that stays is of no harm
+  fs::remove(checkpoint_file(), error);
+}
+
+void FrameFolder::keep_only(const FilmRecord& film) {
+  std::erase_if(manifest_.films, [&](const FilmRecord& other) {
+    return other.file == film.file && other.content != film.content;
+  });
 }
 
 void FrameFolder::save() {
+  const auto start = std::chrono::steady_clock::now();
   write_manifest(manifest_file(), manifest_);
-  unsaved_ = 0;
+  clock_->begun(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
 }
 
 }  // namespace taut

@@ -17,8 +17,7 @@
 #include "bounded_queue.h"
 #include "first_failure.h"
 #include "frames/captions.h"
-#include "frames/film_time.h"
-#include "frames/frame_selection.h"
+#include "frames/film_frames.h"
 #include "frames/panels.h"
 #include "frames/picture_notes.h"
 #include "frames/settled_colours.h"
@@ -41,6 +40,7 @@ constexpr std::string_view rasteriser_threads = "llvmpipe-";
 struct Posed {
   int frame = 0;
   std::string hash;
+  std::shared_ptr<const Checkpoint> checkpoint;  // from which it can be simulated; mostly none
   std::vector<PanelState> panels;
   std::vector<Caption> captions;  // one a panel, where they are wanted
 };
@@ -49,6 +49,7 @@ struct Posed {
 struct Shaped {
   int frame = 0;
   std::string hash;
+  std::shared_ptr<const Checkpoint> checkpoint;
   PanelPainter::Shapes shapes;
   std::vector<Caption> captions;
 };
@@ -86,6 +87,20 @@ struct Drawn {
   PanelPainter::Drawn panels;
 };
 
+void begin_film(std::optional<Film>& film, const FilmSettings& settings) {
+  if (settings.file.has_parent_path() && !is_film_stream(settings.file))
+    make_folder(settings.file.parent_path());
+  film.emplace(settings);
+}
+
+// The manifest knows the film before it has its name: whatever moment the program ends at, no film stands
+// there that nothing is known of.
+void finish_film(Film& film, RenderJob& job, StageClock& clock, const StopTest& stop) {
+  clock.add(Stage::encode,
+            film.finish(stop, [&](const std::filesystem::path& temporary) { job.record_film(temporary); }));
+  if (!is_film_stream(job.film_file)) job.keep_film();
+}
+
 // One run from scene to frames. Each stage hands on to the next through a queue; whoever ends closes the
 // queue it hands to, and whoever fails makes all others stop.
 class Pipeline {
@@ -105,7 +120,8 @@ class Pipeline {
   void fetch(Submitted frame, PanelPainter& painter);
   void finish_frames(const PanelPainter& painter);
   void serve(Lane& lane);
-  void start_film(std::optional<Film>& film) const;
+  PanelRuns begin_runs() const;
+  std::shared_ptr<const Checkpoint> checkpoint(PanelRuns& runs, int frame, double time);
   void finish(std::optional<Film>& film);
 
   bool shows_ground() const { return !request_.picture.render.transparent; }
@@ -126,6 +142,7 @@ class Pipeline {
   const StopTest& stop_;
 
   StageClock clock_;
+  CheckpointClock checkpoints_;
   BoundedQueue<Posed> posed_{2};
   BoundedQueue<Shaped> shaped_{2};
   BoundedQueue<Drawn> to_finish_{2};
@@ -138,10 +155,26 @@ class Pipeline {
   RenderOutcome outcome_;
 };
 
+PanelRuns Pipeline::begin_runs() const {
+  if (request_.motion) return {scenes_.front(), *request_.motion};
+  if (job_.resume) return {scenes_, job_.resume->state, request_.execution};
+  return PanelRuns(scenes_, request_.execution);
+}
+
+std::shared_ptr<const Checkpoint> Pipeline::checkpoint(PanelRuns& runs, int frame, double time) {
+  if (!job_.folder || !checkpoints_.due()) return nullptr;
+  std::optional<std::string> state =
+      clock_.time(Stage::simulate, [&] { return runs.save_before(time, told_to_stop_); });
+  if (!state) return nullptr;
+  checkpoints_.begun(0.0);
+  return std::make_shared<const Checkpoint>(Checkpoint{frame, *std::move(state)});
+}
+
 void Pipeline::simulate(PanelRuns& runs) {
-  for (const int frame : job_.frames) {
-    const double time = std::min(scene_time(scenes_.front().look, frame_time(frame, request_.rate)),
-                                 scenes_.front().duration);
+  const std::vector<int> done = job_.done_before();
+  for (const int frame : std::span(job_.frames).subspan(done.size())) {
+    const double time = shown_time(scenes_.front(), frame, request_.rate);
+    std::shared_ptr<const Checkpoint> checkpoint = this->checkpoint(runs, frame, time);
     std::optional<std::vector<PanelState>> now =
         clock_.time(Stage::simulate, [&] { return runs.at(time, told_to_stop_); });
     if (!now || told_to_stop()) {
@@ -149,7 +182,7 @@ void Pipeline::simulate(PanelRuns& runs) {
       return;
     }
     if (request_.watch) request_.watch(now->front().state);
-    Posed posed{frame, panels_hash(*now), {}, {}};
+    Posed posed{frame, panels_hash(*now), std::move(checkpoint), {}, {}};
     for (std::size_t i = 0; i < now->size(); ++i)
       notes_.see(scenes_[i], request_.picture.drawn_size(), shows_ground(), (*now)[i].state);
     const bool last = frame == job_.frames.back();
@@ -172,7 +205,8 @@ void Pipeline::shape(PanelPainter& painter) {
     }
     std::vector<Pose> states;
     for (const PanelState& panel : posed->panels) states.push_back({&panel.state, panel.trails.get()});
-    Shaped shaped{posed->frame, std::move(posed->hash), {}, std::move(posed->captions)};
+    Shaped shaped{
+        posed->frame, std::move(posed->hash), std::move(posed->checkpoint), {}, std::move(posed->captions)};
     shaped.shapes = clock_.time(Stage::shape, [&] { return painter.shape(states); });
     if (!shaped_.push(std::move(shaped))) return;
   }
@@ -225,7 +259,7 @@ void Pipeline::finish_frames(const PanelPainter& painter) {
   while (std::optional<Drawn> drawn = to_finish_.pop()) {
     Submitted& frame = drawn->frame;
     try {
-      FinishedFrame finished{frame.frame, frame.hash, {}, {}};
+      FinishedFrame finished{frame.frame, frame.hash, {}, {}, frame.checkpoint};
       finished.image =
           clock_.time(Stage::flatten, [&] { return painter.finish(drawn->panels, frame.captions); });
       if (frame.as_png)
@@ -238,6 +272,7 @@ void Pipeline::finish_frames(const PanelPainter& painter) {
 }
 
 void Pipeline::serve(Lane& lane) {
+  failure_.watch([&] { unless_stopped([&] { lane.sink.begin(told_to_stop_); }); });
   while (const std::optional<std::shared_future<Finished>> frame = lane.frames.pop()) {
     if (told_to_stop()) {
       stopped_ = true;
@@ -284,21 +319,26 @@ void Pipeline::run_stages(PanelRuns& runs, PanelPainter& painter) {
 
 RenderOutcome Pipeline::run() {
   const auto start = std::chrono::steady_clock::now();
-  PanelRuns runs(
-      scenes_, request_.execution);  // first of all: what a method refuses is said before anything is written
+  PanelRuns runs = begin_runs();  // first of all: what a method refuses is said before anything is written
   // So is that there is no way to draw, or no exact shape.
   PanelPainter painter(scenes_, request_.picture);
-  if (job_.folder) job_.folder->begin();
+  if (job_.folder) {
+    job_.folder->set_colour_range(scenes_.front().look.colour_range);
+    job_.folder->begin();
+  }
   std::optional<Film> film;
-  if (job_.make_film) start_film(film);
+  if (job_.make_film) begin_film(film, film_settings(request_, scenes_.size()));
   outcome_.drawn_by = painter.drawn_by();
   if (job_.folder) job_.folder->set_drawn_by(outcome_.drawn_by);
   progress_.start(static_cast<int>(job_.frames.size()));
 
   std::optional<FolderSink> files;
   std::optional<FilmSink> shots;
-  if (job_.folder) lanes_.emplace_back(files.emplace(*job_.folder, clock_));
-  if (film) lanes_.emplace_back(shots.emplace(*film, clock_));
+  const std::vector<int> done = job_.done_before();
+  outcome_.shown = outcome_.kept = done.size();
+  if (job_.resume) outcome_.resumed_at = job_.resume->frame;
+  if (job_.folder) lanes_.emplace_back(files.emplace(*job_.folder, checkpoints_, clock_));
+  if (film) lanes_.emplace_back(shots.emplace(*film, job_.folder ? &*job_.folder : nullptr, done, clock_));
   run_stages(runs, painter);
   // What stands in the film only, or is there already, doesn't count as lost.
   if (job_.folder) outcome_.shown -= lanes_.front().let_go;
@@ -311,21 +351,10 @@ RenderOutcome Pipeline::run() {
   return outcome_;
 }
 
-void Pipeline::start_film(std::optional<Film>& film) const {
-  if (request_.film->has_parent_path() && !is_film_stream(*request_.film))
-    make_folder(request_.film->parent_path());
-  film.emplace(film_settings(request_, scenes_.size()));
-}
-
 void Pipeline::finish(std::optional<Film>& film) {
   const bool whole = !stopped_ && !failure_.any() && !step_failure_.any();
   if (film && whole) {
-    failure_.watch([&] {
-      unless_stopped([&] { clock_.add(Stage::encode, film->finish(told_to_stop_)); });
-      if (stopped_ || is_film_stream(*request_.film)) return;
-      job_.film.bytes = std::filesystem::file_size(*request_.film);
-      if (job_.folder) job_.folder->add_film(job_.film);
-    });
+    failure_.watch([&] { unless_stopped([&] { finish_film(*film, job_, clock_, told_to_stop_); }); });
   }
   if (job_.folder && !outcome_.panels.empty()) {
     std::vector<std::string> halvings;
@@ -336,14 +365,41 @@ void Pipeline::finish(std::optional<Film>& film) {
   outcome_.stopped = stopped_;
   // Whatever happened, the manifest says which frames there are.
   if (job_.folder) failure_.watch([&] { job_.folder->save(); });
+  if (job_.folder && whole && !failure_.any() && !stopped_) job_.folder->remove_checkpoint();
   failure_.rethrow();
   step_failure_.rethrow();
+}
+
+// Every frame is there: nothing is simulated or drawn.
+RenderOutcome film_from_files(const RenderRequest& request, std::size_t panels, RenderJob& job,
+                              Progress& progress, const StopTest& stop) {
+  const auto start = std::chrono::steady_clock::now();
+  RenderOutcome outcome;
+  outcome.shown = outcome.kept = job.frames.size();
+  StageClock clock;
+  job.folder->begin();
+  std::optional<Film> film;
+  begin_film(film, film_settings(request, panels));
+  FilmSink sink(*film, &*job.folder, job.frames, clock);
+  progress.start(static_cast<int>(job.frames.size()));
+  try {
+    sink.begin(stop, [&](int done) { progress.update(done); });
+    finish_film(*film, job, clock, stop);
+  } catch (const Interrupted&) {
+    outcome.stopped = true;
+  }
+  progress.finish();
+  outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return outcome;
 }
 
 RenderOutcome settle_and_run(std::span<Scene> scenes, const RenderRequest& request, RenderJob& job,
                              Progress& progress, const StopTest& stop) {
   try {
     settle_views(scenes, request.picture.drawn_size(), stop);
+    if (job.folder && job.folder->manifest().colour_range > 0.0)
+      for (Scene& scene : scenes) scene.look.colour_range = job.folder->manifest().colour_range;
+    if (request.motion) settle_colours(scenes.front(), *request.motion);
     settle_colours(scenes, request.execution, stop);
   } catch (const Interrupted&) {
     RenderOutcome outcome;
@@ -361,6 +417,8 @@ RenderOutcome render_frames(std::span<Scene> scenes, const RenderRequest& reques
   RenderOutcome outcome;
   if (job.complete())
     outcome.shown = outcome.kept = job.frames.size();
+  else if (job.only_film)
+    outcome = film_from_files(request, scenes.size(), job, progress, stop);
   else
     outcome = settle_and_run(scenes, request, job, progress, stop);
   outcome.asked = job.frames.size();

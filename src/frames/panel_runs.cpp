@@ -7,6 +7,7 @@
 #include <new>
 #include <utility>
 
+#include "base/bytes.h"
 #include "base/digits.h"
 #include "base/failure.h"
 #include "base/hash.h"
@@ -44,7 +45,46 @@ PanelRuns::PanelRuns(std::span<const Scene> scenes, const Execution& execution) 
   }
 }
 
+PanelRuns::PanelRuns(std::span<const Scene> scenes, std::string_view saved, const Execution& execution) {
+  ByteReader reader(saved);
+  simulations_.reserve(scenes.size());
+  for (const Scene& scene : scenes) {
+    std::string run, failure, state;
+    reader.take(run);
+    reader.take(failure);
+    reader.take(state);
+    simulations_.emplace_back(scene, run, execution);
+    panels_.push_back({run_state_from(state, scene.model).state, failure, {}});
+    panels_.back().trails = simulations_.back().trails(panels_.back().state);
+  }
+  if (!reader.at_end()) throw BadRequest("these are the saved runs of other panels");
+}
+
+PanelRuns::PanelRuns(const Scene& scene, const MotionReader& motion) : player_(std::in_place, scene, motion) {
+  panels_.push_back({scene.start, {}, {}});
+}
+
+std::optional<std::string> PanelRuns::save_before(double time, const StopTest& stop) {
+  if (player_) return std::nullopt;
+  std::string bytes;
+  for (std::size_t i = 0; i < simulations_.size(); ++i) {
+    const bool failed = !panels_[i].failure.empty();
+    const std::optional<std::string> run =
+        failed ? simulations_[i].save_end() : simulations_[i].save_before(time, stop);
+    if (!run) return std::nullopt;
+    append_bytes(*run, bytes);
+    append_bytes(panels_[i].failure, bytes);
+    append_bytes(to_bytes({panels_[i].state, {}, {}}), bytes);
+  }
+  return bytes;
+}
+
 std::optional<std::vector<PanelState>> PanelRuns::at(double time, const StopTest& stop) {
+  if (player_) {
+    panels_.front().state = player_->at(time);
+    panels_.front().trails = player_->trails(panels_.front().state);
+    return panels_;
+  }
   if (panels_.size() == 1) {
     std::optional<State> state = simulations_.front().at(time, stop);
     if (!state) return std::nullopt;
@@ -61,7 +101,7 @@ std::optional<std::vector<PanelState>> PanelRuns::at(double time, const StopTest
 }
 
 RunMeasures PanelRuns::measures(std::size_t which) const {
-  return simulations_[which].measures(panels_[which].state);
+  return player_ ? player_->measures() : simulations_[which].measures(panels_[which].state);
 }
 
 std::string time_text(const Scene& scene, double time) {

@@ -5,9 +5,11 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "frames/captions.h"
+#include "frames/motion_player.h"
 #include "frames/simulation.h"
 #include "scene/scene.h"
 
@@ -30,16 +32,25 @@ class PanelRuns {
   /// Refers to the scenes, which differ in method and settings alone, from then on. Throws as Simulation
   /// does; of several, the message says whose panel's method it is.
   explicit PanelRuns(std::span<const Scene> scenes, const Execution& execution = {});
+  /// Goes on from what save_before() gave for the same scenes. Throws BadRequest where it is of others.
+  PanelRuns(std::span<const Scene> scenes, std::string_view saved, const Execution& execution = {});
+  /// Plays a motion instead of running its one scene.
+  PanelRuns(const Scene& scene, const MotionReader& motion);
 
   /// All of them at a time (s) that is not before the one asked for last; nothing when told to stop. A run
   /// that is alone throws what goes wrong in it; of several, those that fail stay where they were.
   std::optional<std::vector<PanelState>> at(double time, const StopTest& stop);
 
+  /// All that it takes to go on at a time (s) later than the one asked for last, and after it, as bytes;
+  /// nothing where that can't be had there, as within a step.
+  std::optional<std::string> save_before(double time, const StopTest& stop);
+
   /// What was measured of one of them up to the time asked for last.
   RunMeasures measures(std::size_t which) const;
 
  private:
-  std::vector<Simulation> simulations_;
+  std::vector<Simulation> simulations_;  // none where a motion is played
+  std::optional<MotionPlayer> player_;
   std::vector<PanelState> panels_;
 };
 

@@ -7,83 +7,74 @@
 #include <system_error>
 
 #include "base/failure.h"
-#include "base/hash.h"
+#include "film_records.h"
 #include "frames/colouring.h"
 #include "frames/exact_shape.h"
-#include "frames/film_time.h"
+#include "frames/film_frames.h"
 #include "frames/frame_selection.h"
 #include "frames/panels.h"
-#include "host/build_info.h"
 #include "output/film.h"
 #include "thread_budget.h"
+#include "wanted_manifest.h"
 
 namespace taut {
 namespace {
 
 namespace fs = std::filesystem;
 
-// The method's name and settings; of several, all names, and before each setting the number of its panel.
-void describe_methods(std::span<const Scene> scenes, Manifest& manifest) {
-  for (std::size_t i = 0; i < scenes.size(); ++i) {
-    const Settings& settings = scenes[i].settings;
-    manifest.method += (i > 0 ? ", " : "") + settings.method;
-    for (const auto& [name, value] : settings.values)
-      manifest.settings[scenes.size() == 1 ? name : fmt::format("{}.{}", i + 1, name)] = value;
-  }
+// The films of the manifest beside a film without a folder, where they were made from the same inputs.
+std::vector<FilmRecord> films_beside(const fs::path& film, const std::string& inputs) {
+  const std::optional<Manifest> there = read_manifest(film_manifest_file(film));
+  return there && there->inputs == inputs ? there->films : std::vector<FilmRecord>();
 }
 
-Manifest wanted_manifest(std::span<const Scene> scenes, const RenderRequest& request) {
-  Manifest manifest;
-  manifest.scene = scenes.front().name;
-  manifest.scene_toml = resolved_toml(scenes.front());
-  describe_methods(scenes, manifest);
-  manifest.size = sheet_size(request.picture.render.size, scenes.size());
-  manifest.frames_per_second = request.rate.value();
-  manifest.picture = settings_text(request.picture);
-  manifest.plan = request.plan;
-  manifest.build = build_info();
-  // Everything else in the manifest is a part of one of these, or follows from them.
-  Hash hash;
-  for (const std::string& part : {manifest.scene_toml, manifest.picture, manifest.build,
-                                  fmt::format("{} frames/s", manifest.frames_per_second)})
-    hash.add(part).add("\n");
-  for (const Scene& other : scenes.subspan(1)) hash.add(resolved_toml(other)).add("\n");
-  manifest.inputs = hash.hex();
-  return manifest;
-}
-
-// How a film is named in the manifest: from its folder, so that both can be moved together.
-std::string name_in_manifest(const RenderRequest& request) {
-  if (!request.folder) return request.film->string();
-  std::error_code error;
-  const fs::path relative = fs::proximate(*request.film, *request.folder, error);
-  return error ? request.film->string() : relative.string();
-}
-
-// What the manifest says of the film, where that film is still the one on disk.
-const FilmRecord* film_on_disk(const RenderJob& job, const fs::path& file) {
-  if (!job.folder) return nullptr;
-  const auto& films = job.folder->manifest().films;
-  const auto found = std::ranges::find(films, job.film.file, &FilmRecord::file);
-  std::error_code error;
-  return found != films.end() && fs::file_size(file, error) == found->bytes && !error ? &*found : nullptr;
-}
-
-void settle_film(RenderJob& job, const RenderRequest& request) {
-  job.film = {name_in_manifest(request), selection_text(job.frames), 0};
+void settle_film(RenderJob& job, const RenderRequest& request, const Manifest& wanted) {
+  job.film = {
+      request.folder ? film_name_from(*request.folder, *request.film) : request.film->filename().string(),
+      selection_text(job.frames),
+      0,
+      {}};
+  job.film_file = *request.film;
   job.make_film = true;
   if (is_film_stream(*request.film)) return;
+  if (!job.folder) {
+    job.film_manifest = wanted;
+    job.film_manifest->kind = "film";
+    if (!request.overwrite) job.film_manifest->films = films_beside(*request.film, wanted.inputs);
+  }
   std::error_code error;
   if (fs::is_directory(*request.film, error))
     throw BadRequest(fmt::format("{} is a folder, not a name for a film", request.film->string()));
-  if (request.overwrite || !fs::exists(*request.film, error)) return;
-  const FilmRecord* there = film_on_disk(job, *request.film);
-  if (there == nullptr)
-    throw OutputConflict(
-        fmt::format("{} exists, and nothing here says that it was made from the same inputs; "
-                    "--overwrite replaces it",
-                    request.film->string()));
-  job.make_film = there->frames != job.film.frames;
+  if (request.overwrite) return;
+  const FilmRecord* there =
+      known_film(job.folder ? job.folder->manifest() : *job.film_manifest, job.film.file, *request.film);
+  job.make_film = there == nullptr || there->frames != job.film.frames;
+}
+
+// Where to go on. Whoever watches the run wants to see all of it.
+void settle_resume(RenderJob& job, const RenderRequest& request) {
+  if (!job.folder || request.watch) return;
+  job.only_film =
+      job.make_film && std::ranges::all_of(job.frames, [&](int frame) { return job.folder->has(frame); });
+  if (!job.only_film && !request.motion) job.resume = job.folder->checkpoint(job.frames);
+}
+
+void require_moments(const Scene& scene, const RenderRequest& request, const std::vector<int>& frames) {
+  for (const int frame : frames) {
+    const double time = shown_time(scene, frame, request.rate);
+    if (request.motion->find(time) == nullptr)
+      throw BadRequest(
+          fmt::format("the motion has no moment for frame {}, t = {:.6g} s: it is not done yet, or was "
+                      "simulated for another number of frames a second",
+                      frame, time));
+  }
+}
+
+std::vector<int> frames_of(const RenderRequest& request, int count) {
+  const std::vector<int> all =
+      request.selection ? select_frames(*request.selection, count) : all_frames(count);
+  const auto [first, end] = request.shard.piece(all.size());
+  return {all.begin() + static_cast<std::ptrdiff_t>(first), all.begin() + static_cast<std::ptrdiff_t>(end)};
 }
 
 }  // namespace
@@ -94,7 +85,35 @@ FilmSettings film_settings(const RenderRequest& request, std::size_t panels) {
 }
 
 bool RenderJob::complete() const {
-  return !make_film && folder && std::ranges::all_of(frames, [&](int frame) { return folder->has(frame); });
+  return !make_film &&
+         (!folder || std::ranges::all_of(frames, [&](int frame) { return folder->has(frame); }));
+}
+
+std::vector<int> RenderJob::done_before() const {
+  std::vector<int> done;
+  for (const int frame : frames)
+    if (only_film || (resume && frame < resume->frame)) done.push_back(frame);
+  return done;
+}
+
+void RenderJob::record_film(const fs::path& temporary) {
+  film = film_record(film.file, film.frames, temporary);
+  if (folder) {
+    folder->add_film(film);
+    folder->save();
+  } else if (film_manifest) {
+    film_manifest->films.push_back(film);
+    write_manifest(film_manifest_file(film_file), *film_manifest);
+  }
+}
+
+void RenderJob::keep_film() {
+  if (folder) {
+    folder->keep_only(film);
+  } else if (film_manifest) {
+    film_manifest->films = {film};
+    write_manifest(film_manifest_file(film_file), *film_manifest);
+  }
 }
 
 RenderJob make_render_job(std::span<const Scene> scenes, const RenderRequest& request) {
@@ -107,14 +126,19 @@ RenderJob make_render_job(std::span<const Scene> scenes, const RenderRequest& re
   check_size(request.picture.render.size);
   check_size(sheet_size(request.picture.render.size, scenes.size()));
   RenderJob job;
-  const int count = frame_count(film_duration(scenes.front().look, scenes.front().duration), request.rate);
-  job.frames = request.selection ? select_frames(*request.selection, count) : all_frames(count);
+  const int count = film_frame_count(scenes.front(), request.rate);
+  job.frames = frames_of(request, count);
+  if (request.film && !request.shard.all())
+    throw BadRequest(
+        "a film needs the frames of all shards: taut merge FOLDER --film FILE makes it when they are there");
   if (request.film) check_film_settings(film_settings(request, scenes.size()));
 
-  const Manifest wanted = wanted_manifest(scenes, request);
+  if (request.motion) require_moments(scenes.front(), request, job.frames);
+  Manifest wanted = frames_manifest(scenes, request);
   job.inputs = wanted.inputs;
-  if (request.folder) job.folder.emplace(*request.folder, wanted, request.overwrite);
-  if (request.film) settle_film(job, request);
+  if (request.folder) job.folder.emplace(*request.folder, wanted, request.shard, request.overwrite);
+  if (request.film) settle_film(job, request, wanted);
+  settle_resume(job, request);
   if (job.make_film) require_film_encoder();
   return job;
 }

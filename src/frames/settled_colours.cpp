@@ -36,6 +36,14 @@ void settle_colours(Scene& scene, const std::vector<State>& states) {
   scene.look.colour_range = range.top();
 }
 
+void settle_colours(Scene& scene, const MotionReader& motion) {
+  if (!has_open_range(scene.look)) return;
+  ColourRange range(scene.look.colour_by);
+  for (int moment = 0; moment <= moments_for_colours; ++moment)
+    range.add(scene.model, motion.between(scene.duration * moment / moments_for_colours, scene.model));
+  scene.look.colour_range = range.top();
+}
+
 void settle_colours(std::span<Scene> scenes, const Execution& execution, const StopTest& stop) {
   if (!has_open_range(scenes.front().look)) return;
   ColourRange range(scenes.front().look.colour_by);

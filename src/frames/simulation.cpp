@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
+#include "base/bytes.h"
 #include "base/failure.h"
 #include "frames/failure_advice.h"
 
@@ -16,10 +20,45 @@ Run run_of(const Scene& scene, const Execution& execution) {
   }
 }
 
+// What save_before() gave: the run, and the trails.
+std::pair<std::string, std::string> parts_of(std::string_view saved) {
+  std::pair<std::string, std::string> parts;
+  ByteReader reader(saved);
+  reader.take(parts.first);
+  reader.take(parts.second);
+  return parts;
+}
+
+std::string as_bytes(const RunState& run, const TrailRecorder& trails) {
+  std::string bytes;
+  append_bytes(to_bytes(run), bytes);
+  append_bytes(trails.save(), bytes);
+  return bytes;
+}
+
 }  // namespace
 
 Simulation::Simulation(const Scene& scene, const Execution& execution)
     : scene_(scene), run_(run_of(scene, execution)), trails_(scene) {}
+
+Simulation::Simulation(const Scene& scene, std::string_view saved, const Execution& execution)
+    : scene_(scene),
+      run_(scene.model, scene.start, scene.settings, run_state_from(parts_of(saved).first, scene.model), {},
+           execution),
+      trails_(scene) {
+  trails_.restore(parts_of(saved).second);
+}
+
+// The run must not be beyond the next point of a trail either.
+std::optional<std::string> Simulation::save_before(double time, const StopTest& stop) {
+  const std::optional<RunState> run = run_.save_before(std::min(time, trails_.next()), stop);
+  if (!run) return std::nullopt;
+  return as_bytes(*run, trails_);
+}
+
+std::string Simulation::save_end() const {
+  return as_bytes(run_.save(), trails_);
+}
 
 std::optional<State> Simulation::at(double time, const StopTest& stop) {
   while (trails_.next() <= time) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <map>
+#include <vector>
 
 #include "frame_sink.h"
 #include "frames/frame_folder.h"
@@ -12,30 +14,35 @@ namespace taut {
 /// Frames as files. Wants those that are not there yet.
 class FolderSink final : public FrameSink {
  public:
-  FolderSink(FrameFolder& folder, StageClock& clock)
-      : folder_(folder), clock_(clock), there_(folder.manifest().frames) {}
+  FolderSink(FrameFolder& folder, CheckpointClock& checkpoints, StageClock& clock)
+      : folder_(folder), checkpoints_(checkpoints), clock_(clock), there_(folder.manifest().frames) {}
 
+  void begin(const StopTest& /*stop*/) override {}
   bool wants(int frame, const std::string& state_hash) const override {
     const auto found = there_.find(frame);
-    return found == there_.end() || found->second != state_hash;
+    return found == there_.end() || found->second.state != state_hash;
   }
   bool wants_png() const override { return true; }
-  void take(const FinishedFrame& frame, const StopTest& /*stop*/) override {
-    clock_.time(Stage::write, [&] { folder_.write(frame.frame, frame.png, frame.state_hash); });
-  }
+  void take(const FinishedFrame& frame, const StopTest& stop) override;
 
  private:
   FrameFolder& folder_;
+  CheckpointClock& checkpoints_;
   StageClock& clock_;
   // A copy: the folder's own list grows in another thread than the one that asks.
-  const std::map<int, std::string> there_;
+  const std::map<int, FrameRecord> there_;
 };
 
-/// Frames as a film. Wants them all.
+/// Frames as a film. Wants them all, but for those that it takes from their files before the first.
 class FilmSink final : public FrameSink {
  public:
-  FilmSink(Film& film, StageClock& clock) : film_(film), clock_(clock) {}
+  /// `done`: the frames whose files are in the folder; the folder may be null where there are none.
+  FilmSink(Film& film, const FrameFolder* folder, std::vector<int> done, StageClock& clock)
+      : film_(film), folder_(folder), done_(std::move(done)), clock_(clock) {}
 
+  void begin(const StopTest& stop) override { begin(stop, {}); }
+  /// The same; `added` is told how many frames are in the film.
+  void begin(const StopTest& stop, const std::function<void(int)>& added);
   bool wants(int /*frame*/, const std::string& /*state_hash*/) const override { return true; }
   bool wants_png() const override { return false; }
   void take(const FinishedFrame& frame, const StopTest& stop) override {
@@ -44,6 +51,8 @@ class FilmSink final : public FrameSink {
 
  private:
   Film& film_;
+  const FrameFolder* folder_;
+  const std::vector<int> done_;
   StageClock& clock_;
 };
 

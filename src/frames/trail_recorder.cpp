@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/bytes.h"
+
 namespace taut {
 namespace {
 
@@ -40,6 +42,20 @@ std::shared_ptr<const Trails> TrailRecorder::up_to(const State& now) const {
   for (std::size_t i = 0; i < masses_.size(); ++i)
     (*trails)[i].push_back({now.time, now.position.at(masses_[i])});
   return trails;
+}
+
+std::string TrailRecorder::save() const {
+  std::string bytes;
+  append_bytes(taken_, bytes);
+  for (const std::vector<TrailPoint>& trail : trails_) append_bytes(trail, bytes);
+  return bytes;
+}
+
+void TrailRecorder::restore(std::string_view bytes) {
+  ByteReader reader(bytes);
+  reader.take(taken_);
+  for (std::vector<TrailPoint>& trail : trails_) reader.take(trail);
+  if (!reader.at_end()) throw BadRequest("these are the trails of another scene");
 }
 
 }  // namespace taut

@@ -27,3 +27,28 @@ set_source_files_properties(${CMAKE_CURRENT_SOURCE_DIR}/host/machine.cpp
 if(TAUT_SANITIZE)
   target_compile_definitions(taut_host PRIVATE TAUT_SANITIZED)
 endif()
+
+# What decides results, as hashes of files (host/versions.h); worked out again when one of them changes.
+function(taut_hash_of result)
+  set(hashes "")
+  foreach(file ${ARGN})
+    file(SHA256 ${file} hash)
+    string(APPEND hashes ${hash})
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+  endforeach()
+  string(SHA256 hash "${hashes}")
+  string(SUBSTRING ${hash} 0 16 hash)
+  set(${result} ${hash} PARENT_SCOPE)
+endfunction()
+file(GLOB_RECURSE drawing_files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/shaders/* ${CMAKE_CURRENT_SOURCE_DIR}/render/*
+     ${CMAKE_CURRENT_SOURCE_DIR}/view/*)
+foreach(name captions colouring exact_shape film_time look_ahead painter panels settled_colours settled_view trail_recorder)
+  list(APPEND drawing_files ${CMAKE_CURRENT_SOURCE_DIR}/frames/${name}.cpp)
+endforeach()
+file(GLOB_RECURSE judging_files CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/measure/*)
+taut_hash_of(TAUT_PHYSICS_VERSION ${PROJECT_SOURCE_DIR}/tests/golden/state-hashes.txt)
+taut_hash_of(TAUT_DRAWING_VERSION ${drawing_files})
+taut_hash_of(TAUT_JUDGING_VERSION ${judging_files})
+configure_file(${CMAKE_CURRENT_SOURCE_DIR}/host/versions_of_this_build.h.in
+               ${CMAKE_CURRENT_BINARY_DIR}/host/versions_of_this_build.h @ONLY)
+target_include_directories(taut_host PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/host)

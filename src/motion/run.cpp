@@ -283,6 +283,18 @@ std::optional<State> Run::at(double time, const StopTest& stop) {
   return interpolate(*before_, state(), time, method_.can.between_steps);
 }
 
+// A method that chooses its steps doesn't say how far the next one will go: every step but the last is kept.
+std::optional<RunState> Run::save_before(double time, const StopTest& stop) {
+  if (reached() >= time) return std::nullopt;
+  std::optional<RunState> saved;
+  while (method_.can.chooses_steps ? reached() < time : step_time(report_.steps + 1) < time) {
+    if (stop && stop()) return std::nullopt;
+    if (method_.can.chooses_steps) saved = save();
+    if (!step()) return std::nullopt;
+  }
+  return method_.can.chooses_steps ? saved : save();
+}
+
 std::string Run::failure() const {
   if (report_.end == RunEnd::none) return {};
   if (report_.end == RunEnd::diverged)

@@ -106,10 +106,13 @@ void Film::add(const Image& frame, const StopTest& stop) {
   if (!encoder_->feed(std::as_bytes(std::span(frame.pixels)), stop)) fail(encoder_->finish());
 }
 
-double Film::finish(const StopTest& stop) {
+double Film::finish(const StopTest& stop, const std::function<void(const std::filesystem::path&)>& whole) {
   const ProcessEnd end = encoder_->finish(stop);
   if (end.status != 0) fail(end);
-  if (file_) file_->commit();
+  if (file_) {
+    if (whole) whole(file_->temporary_name());
+    file_->commit();
+  }
   return end.processor_seconds;
 }
 

@@ -5,7 +5,7 @@ target_link_libraries(taut_output PRIVATE PkgConfig::ISAL nlohmann_json::nlohman
 target_include_directories(taut_output SYSTEM PRIVATE ${TAUT_STB_WRITE_INCLUDE})
 
 # stb brings its own names and settings.
-set_source_files_properties(${CMAKE_CURRENT_SOURCE_DIR}/output/png.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+set_source_files_properties(${CMAKE_CURRENT_SOURCE_DIR}/output/png.cpp ${CMAKE_CURRENT_SOURCE_DIR}/output/png_read.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 
 # Beside loops over pixels, the one file of templates that would take long to optimise.
 set_source_files_properties(${CMAKE_CURRENT_SOURCE_DIR}/output/manifest.cpp

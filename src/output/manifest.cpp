@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/failure.h"
+#include "base/hash.h"
 #include "output/atomic_file.h"
 
 namespace taut {
@@ -13,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int format_version = 1;
+constexpr int format_version = 2;
 
 Json settings_to_json(const Manifest& manifest) {
   Json settings = Json::object();
@@ -22,24 +23,28 @@ Json settings_to_json(const Manifest& manifest) {
   return settings;
 }
 
-Json frames_to_json(const Manifest& manifest) {
+// One of the two hashes of every frame.
+Json frames_to_json(const Manifest& manifest, std::string FrameRecord::*part) {
   Json frames = Json::object();
-  for (const auto& [number, hash] : manifest.frames) frames[std::to_string(number)] = hash;
+  for (const auto& [number, record] : manifest.frames) frames[fmt::format("{}", number)] = record.*part;
   return frames;
 }
 
 Json films_to_json(const Manifest& manifest) {
   Json films = Json::array();
   for (const FilmRecord& film : manifest.films)
-    films.push_back({{"file", film.file}, {"frames", film.frames}, {"bytes", film.bytes}});
+    films.push_back(
+        {{"file", film.file}, {"frames", film.frames}, {"bytes", film.bytes}, {"content", film.content}});
   return films;
 }
 
 Manifest from_json(const Json& json) {
   Manifest manifest;
+  manifest.kind = json.at("kind").get<std::string>();
   manifest.inputs = json.at("inputs").get<std::string>();
   manifest.scene = json.at("scene").get<std::string>();
   manifest.scene_toml = json.at("scene_toml").get<std::string>();
+  for (const Json& toml : json.at("other_tomls")) manifest.other_tomls.push_back(toml.get<std::string>());
   manifest.method = json.at("method").get<std::string>();
   for (const auto& [name, value] : json.at("settings").items()) {
     if (value.is_number())
@@ -51,22 +56,42 @@ Manifest from_json(const Json& json) {
   manifest.halvings = json.value("halvings", "");
   manifest.size = {json.at("width").get<int>(), json.at("height").get<int>()};
   manifest.frames_per_second = json.at("frames_per_second").get<double>();
+  manifest.frame_rate = json.at("frame_rate").get<std::string>();
+  manifest.frame_count = json.at("frame_count").get<int>();
+  manifest.colour_range = json.at("colour_range").get<double>();
   manifest.picture = json.at("picture").get<std::string>();
   manifest.drawn_by = json.value("drawn_by", "");
+  manifest.physics = json.at("physics").get<std::string>();
+  manifest.drawing = json.at("drawing").get<std::string>();
   manifest.build = json.at("build").get<std::string>();
-  for (const auto& [number, hash] : json.at("frames").items())
-    manifest.frames[std::stoi(number)] = hash.get<std::string>();
+  for (const auto& [number, state] : json.at("frames").items())
+    manifest.frames[std::stoi(number)] = {state.get<std::string>(),
+                                          json.at("contents").at(number).get<std::string>()};
   for (const Json& film : json.at("films"))
     manifest.films.push_back({film.at("file").get<std::string>(), film.at("frames").get<std::string>(),
-                              film.at("bytes").get<std::uintmax_t>()});
+                              film.at("bytes").get<std::uintmax_t>(), film.at("content").get<std::string>()});
   return manifest;
 }
 
 }  // namespace
 
+std::string inputs_of(const Manifest& manifest) {
+  if (manifest.kind == "motion") return manifest.inputs;
+  // Everything else in the manifest is a part of one of these, follows from them, or decides nothing.
+  Hash hash;
+  for (const std::string& part : {manifest.scene_toml, manifest.picture, manifest.physics, manifest.drawing,
+                                  fmt::format("{} frames/s", manifest.frame_rate)})
+    hash.add(part).add("\n");
+  for (const std::string& toml : manifest.other_tomls) hash.add(toml).add("\n");
+  return hash.hex();
+}
+
 std::string manifest_text(const Manifest& manifest) {
   const Json json{{"taut_manifest", format_version},
+                  {"kind", manifest.kind},
                   {"inputs", manifest.inputs},
+                  {"physics", manifest.physics},
+                  {"drawing", manifest.drawing},
                   {"build", manifest.build},
                   {"scene", manifest.scene},
                   {"method", manifest.method},
@@ -76,11 +101,16 @@ std::string manifest_text(const Manifest& manifest) {
                   {"width", manifest.size.width},
                   {"height", manifest.size.height},
                   {"frames_per_second", manifest.frames_per_second},
+                  {"frame_rate", manifest.frame_rate},
+                  {"frame_count", manifest.frame_count},
+                  {"colour_range", manifest.colour_range},
                   {"picture", manifest.picture},
                   {"drawn_by", manifest.drawn_by},
                   {"films", films_to_json(manifest)},
                   {"scene_toml", manifest.scene_toml},
-                  {"frames", frames_to_json(manifest)}};
+                  {"other_tomls", manifest.other_tomls},
+                  {"frames", frames_to_json(manifest, &FrameRecord::state)},
+                  {"contents", frames_to_json(manifest, &FrameRecord::content)}};
   constexpr int indent = 1;
   return json.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "base/failure.h"
+#include "host/build_info.h"
 #include "output/atomic_file.h"
 
 namespace taut {
@@ -94,7 +95,7 @@ void CaseStore::read(const std::string& header, bool overwrite) {
   if (!header.starts_with(text)) {
     if (!text.starts_with(header))
       conflict(file_, is_header(text.substr(0, text.find('\n')))
-                          ? "holds cases of other inputs or of another build"
+                          ? "holds cases of other inputs, or worked out by other rules"
                           : "is no file of cases");
     kept = header.size();
     for (std::size_t end = 0; (end = text.find('\n', kept)) != std::string::npos; kept = end + 1) {
@@ -127,13 +128,21 @@ void CaseStore::append(std::string_view left) {
 void CaseStore::add(const std::string& key, std::string_view json) {
   if (has(key)) throw std::logic_error(fmt::format("the case {} was run twice", key));
   const Json result = Json::parse(json);
-  append(Json{{"case", key}, {"result", result}}.dump() + "\n");
+  append(Json{{"case", key}, {"build", build_info()}, {"result", result}}.dump() + "\n");
   results_.emplace(key, result.dump());
 }
 
 CaseCount CaseStore::count(const std::vector<std::string>& planned) const {
   const auto completed = std::ranges::count_if(planned, [&](const std::string& key) { return has(key); });
   return {static_cast<std::size_t>(completed), planned.size()};
+}
+
+std::string inputs_of_cases(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string line;
+  std::getline(stream, line);
+  if (!is_header(line)) conflict(file, "is no file of cases");
+  return Json::parse(line).at("inputs").get<std::string>();
 }
 
 std::map<std::string, std::string, std::less<>> read_cases(const std::filesystem::path& file,

@@ -10,9 +10,10 @@
 #include "base/failure.h"
 #include "base/hash.h"
 #include "chart_json.h"
-#include "host/build_info.h"
+#include "host/versions.h"
 #include "measure/cost.h"
 #include "model/measures.h"
+#include "shard_files.h"
 #include "study/case_store.h"
 #include "study/reference_cache.h"
 #include "study/scene_truth.h"
@@ -66,7 +67,10 @@ Truth wanted_truth(const Scene& scene, const ChartRequest& request, const StopTe
 
 std::string inputs_of(const Scene& scene, const ChartRequest& request) {
   Hash hash;
-  hash.add(physics_toml(scene)).add(build_info()).add(std::span(&request.budget, 1));
+  hash.add(physics_toml(scene))
+      .add(physics_version())
+      .add(judging_version())
+      .add(std::span(&request.budget, 1));
   const double horizon = request.horizon.value_or(-1.0);
   hash.add(std::span(&horizon, 1));
   for (const ErrorKind kind : request.errors) hash.add(name_of(kind));
@@ -78,6 +82,14 @@ std::string key_of(const MethodVariant& curve, const GridPoint& point) {
       fmt::format("{}, {} {}", curve.name, curve.finer.param, curve.finer.value(point.fineness));
   if (curve.passes) key += fmt::format(", {} passes", curve.passes->value(point.row));
   return key;
+}
+
+// What is left out along a curve depends on that curve alone, so shards deal out curves.
+std::vector<MethodVariant> share_of(std::vector<MethodVariant> curves, const Shard& shard) {
+  std::vector<MethodVariant> share;
+  for (std::size_t i = 0; i < curves.size(); ++i)
+    if (shard.has(i)) share.push_back(std::move(curves[i]));
+  return share;
 }
 
 ChartCase run_case(const Scene& scene, const Truth& truth, const Settings& settings, double budget) {
@@ -111,9 +123,11 @@ Chart measure_chart(const Scene& scene, const ChartRequest& request, const std::
   chart.budget = request.budget;
   chart.machine = this_machine();
   MethodVariants curves = variants_of(scene.model, scene.start, request.methods);
-  chart.curves = std::move(curves.variants);
+  chart.curves = share_of(std::move(curves.variants), request.shard);
   chart.omissions = std::move(curves.omissions);
-  CaseStore store(store_file, inputs_of(scene, request), request.overwrite);
+  const std::string inputs = inputs_of(scene, request);
+  CaseStore store(shard_file(store_file, request.shard), inputs, request.overwrite);
+  if (request.shard.all()) take_over_shards(store, store_file, inputs, request.overwrite);
   chart.truth = wanted_truth(scene, request, stop);
   for (const ErrorKind kind : all_error_kinds)
     if (chart.truth.smallest[kind]) chart.errors.push_back(kind);
@@ -137,6 +151,7 @@ Chart measure_chart(const Scene& scene, const ChartRequest& request, const std::
     progress.update(static_cast<int>(handled(walk.counts())));
   }
   chart.counts = walk.counts();
+  if (chart.complete()) mark_end(store, request.shard);
   progress.finish();
   return chart;
 }

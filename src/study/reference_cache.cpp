@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/hash.h"
-#include "host/build_info.h"
+#include "host/versions.h"
 #include "json_cache.h"
 #include "methods/registry.h"
 #include "states_json.h"
@@ -17,7 +17,10 @@ using Json = nlohmann::ordered_json;
 std::string key_of(const Scene& scene, const std::vector<double>& times, double accuracy,
                    double most_seconds) {
   Hash hash;
-  hash.add(physics_toml(scene)).add(build_info()).add(std::span<const double>(times));
+  hash.add(physics_toml(scene))
+      .add(physics_version())
+      .add(judging_version())
+      .add(std::span<const double>(times));
   return hash.add(std::span(&accuracy, 1)).add(std::span(&most_seconds, 1)).hex();
 }
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/hash.h"
-#include "host/build_info.h"
+#include "host/versions.h"
 #include "json_cache.h"
 #include "measure/quick_plan.h"
 #include "study/scene_truth.h"
@@ -125,7 +125,8 @@ Plan plan_scene(const Scene& scene, const PlanSearch& search, const std::filesys
   const std::array numbers{search.target.error, search.target.metres ? 1.0 : 0.0, search.seconds};
   const std::string key = Hash()
                               .add(physics_toml(scene))
-                              .add(build_info())
+                              .add(physics_version())
+                              .add(judging_version())
                               .add(std::string(name_of(search.target.kind)))
                               .add(std::string(search.only))
                               .add(std::span<const double>(numbers))

@@ -10,7 +10,7 @@
 
 #include "base/hash.h"
 #include "errors_json.h"
-#include "host/build_info.h"
+#include "host/versions.h"
 #include "json_cache.h"
 #include "measure/agreement.h"
 #include "measure/events.h"
@@ -168,8 +168,13 @@ struct Spans {
 std::filesystem::path agreement_file(const Scene& scene, const TruthRequest& request, const Spans& spans,
                                      const std::string& what, const std::filesystem::path& folder) {
   const std::array numbers{spans.wanted, spans.calm, request.agree_seconds, request.judged.value_or(0.0)};
-  const std::string key =
-      Hash().add(physics_toml(scene)).add(build_info()).add(what).add(std::span<const double>(numbers)).hex();
+  const std::string key = Hash()
+                              .add(physics_toml(scene))
+                              .add(physics_version())
+                              .add(judging_version())
+                              .add(what)
+                              .add(std::span<const double>(numbers))
+                              .hex();
   return folder / (key + ".agreement.json");
 }
 

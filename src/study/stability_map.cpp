@@ -14,9 +14,10 @@
 #include "base/failure.h"
 #include "base/hash.h"
 #include "base/split.h"
-#include "host/build_info.h"
+#include "host/versions.h"
 #include "map_column_json.h"
 #include "methods/registry.h"
+#include "shard_files.h"
 
 namespace taut {
 namespace {
@@ -39,7 +40,8 @@ std::vector<Case> all_cases(const StabilityRequest& request) {
   return cases;
 }
 
-// A hash of all that decides what columns look like but for the build; which methods are asked for does not.
+// A hash of all that decides what columns look like but for how it is worked out; which methods are asked for
+// does not.
 std::string asked_of(const Scene& scene, const MapGrid& grid) {
   Hash hash;
   hash.add(resolved_toml(scene)).add(grid.axes->name);
@@ -47,9 +49,10 @@ std::string asked_of(const Scene& scene, const MapGrid& grid) {
   return hash.add(std::span(&grid.duration, 1)).hex();
 }
 
-// The same, and the build.
+// The same, and what works it out.
 std::string inputs_of(const Scene& scene, const MapGrid& grid) {
-  return fmt::format("{} {}", asked_of(scene, grid), Hash().add(build_info()).hex());
+  return fmt::format("{} {}", asked_of(scene, grid),
+                     Hash().add(physics_version()).add(judging_version()).hex());
 }
 
 // What is given, then the scene's own parameters where it is made for the method; defaults elsewhere.
@@ -60,32 +63,8 @@ Settings given_settings(const Scene& scene, const MapMethod& method) {
   return settings;
 }
 
-std::filesystem::path file_of(const std::filesystem::path& folder, const Shard& shard) {
-  return folder /
-         (shard.all() ? "cases.jsonl" : fmt::format("cases-{}-of-{}.jsonl", shard.index, shard.count));
-}
-
-std::vector<std::filesystem::path> files_of_shards(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    if (name.starts_with("cases-") && name.ends_with(".jsonl")) files.push_back(entry.path());
-  }
-  return files;
-}
-
-// Takes over what shards have left beside the main file; when that is begun anew, it goes away.
-void take_over_shards(CaseStore& store, const std::filesystem::path& folder, const std::string& inputs,
-                      bool overwrite) {
-  for (const std::filesystem::path& file : files_of_shards(folder)) {
-    if (overwrite) {
-      std::filesystem::remove(file);
-      continue;
-    }
-    const CaseStore left(file, inputs, false);
-    for (const auto& [key, result] : left.results())
-      if (!store.has(key)) store.add(key, result);
-  }
+std::filesystem::path cases_file(const std::filesystem::path& folder) {
+  return folder / "cases.jsonl";
 }
 
 // Runs columns that are missing, several at a time. A column's truth is the same for all methods that know
@@ -177,9 +156,10 @@ using Results = std::map<std::string, std::string, std::less<>>;
 // What a folder holds, of shards, too, whatever build it is of.
 Results results_in(const std::filesystem::path& folder, const StabilityRequest& request, const Scene& scene) {
   const std::string asked = asked_of(scene, request.grid);
-  Results results = read_cases(file_of(folder, request.shard), asked);
-  if (request.shard.all() && std::filesystem::exists(folder))
-    for (const std::filesystem::path& file : files_of_shards(folder)) results.merge(read_cases(file, asked));
+  Results results = read_cases(shard_file(cases_file(folder), request.shard), asked);
+  if (request.shard.all())
+    for (const std::filesystem::path& file : shard_files(cases_file(folder)))
+      results.merge(read_cases(file, asked));
   return results;
 }
 
@@ -244,9 +224,10 @@ StabilityMaps make_stability_maps(const Scene& scene, const StabilityRequest& re
   check_map_request(scene, request);
   if (!request.run) return gather(request, results_in(folder, request, scene));
   const std::string inputs = inputs_of(scene, request.grid);
-  CaseStore store(file_of(folder, request.shard), inputs, request.overwrite);
-  if (request.shard.all()) take_over_shards(store, folder, inputs, request.overwrite);
+  CaseStore store(shard_file(cases_file(folder), request.shard), inputs, request.overwrite);
+  if (request.shard.all()) take_over_shards(store, cases_file(folder), inputs, request.overwrite);
   const bool whole = Sweep(scene, request, store, progress, stop).run();
+  if (whole) mark_end(store, request.shard);
   StabilityMaps maps = gather(request, store.results());
   maps.stopped = !whole;
   return maps;

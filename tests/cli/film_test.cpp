@@ -137,7 +137,7 @@ TEST_F(FilmTest, NeedsNoFrames) {
   const Ran ran =
       taut({"render", scene_, "--no-frames", "--film", film, "--size", "64x48"}, {}, folder_.path());
   EXPECT_EQ(ran.status, 0) << ran.err;
-  EXPECT_EQ(folder_.entries(), 2U) << "the scene and the film";
+  EXPECT_EQ(folder_.entries(), 3U) << "the scene, the film and its hidden manifest";
 }
 
 TEST_F(FilmTest, ShowsTheFramesInOrder) {

@@ -25,7 +25,7 @@ const std::map<std::string, std::set<std::string>> may_use{
     {"measure", {"base", "view", "model", "methods", "motion"}},
     {"scene", {"base", "model", "methods", "view"}},
     {"render", {"base", "model", "view"}},
-    {"output", {"base", "model"}},
+    {"output", {"base", "model", "methods", "motion"}},
     {"frames",
      {"base", "host", "view", "model", "methods", "motion", "measure", "scene", "render", "output"}},
     {"study",

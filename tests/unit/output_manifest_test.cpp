@@ -16,10 +16,13 @@ Manifest example() {
   manifest.settings = {{"passes", 3.0}, {"steps_per_second", 0.1}, {"velocities", std::string("kept")}};
   manifest.size = {640, 360};
   manifest.frames_per_second = 29.97;
+  manifest.frame_rate = "2997/100";
+  manifest.frame_count = 180;
+  manifest.colour_range = 0.1;
   manifest.picture = "4 samples";
   manifest.build = "taut 0";
-  manifest.frames = {{1, "aa"}, {7, "bb"}, {123456, "cc"}};
-  manifest.films = {{"../chain.mp4", "1-7", 123'456'789'012}};
+  manifest.frames = {{1, {"aa", "11"}}, {7, {"bb", "22"}}, {123456, {"cc", "33"}}};
+  manifest.films = {{"../chain.mp4", "1-7", 123'456'789'012, "dd"}};
   return manifest;
 }
 

@@ -3,50 +3,90 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
+#include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
+#include "host/shard.h"
+#include "output/checkpoint.h"
+#include "output/folder_lock.h"
 #include "output/manifest.h"
 
 namespace taut {
 
-/// A folder of frames and the manifest that says what they were made from.
+/// The manifests in a folder by their files' names: manifest.json, and those of shards. Throws OutputConflict
+/// where one is none of ours.
+std::map<std::string, Manifest> manifests_in(const std::filesystem::path& folder);
+
+/// The name that a shard's manifest has: manifest.json where there is only one.
+std::string manifest_name(const Shard& shard);
+
+/// The file of a frame in a folder.
+std::filesystem::path frame_file(const std::filesystem::path& folder, int frame);
+
+/// The numbers of the frames whose files are in a folder, rising.
+std::vector<int> frame_files_in(const std::filesystem::path& folder);
+
+/// A folder of frames and the manifest that says what they were made from. Shards may fill one folder
+/// together, each with a manifest of its own.
 class FrameFolder {
  public:
   /// Looks at what is there; writes nothing. `wanted` is the manifest of what is about to be made. Unless
-  /// told to overwrite, takes over what was made from the same inputs and is whole, and throws OutputConflict
-  /// when there is anything else.
-  FrameFolder(std::filesystem::path folder, Manifest wanted, bool overwrite);
+  /// told to overwrite, takes over what was made from the same inputs and is whole, of shards, too, and
+  /// throws OutputConflict when there is anything else.
+  FrameFolder(std::filesystem::path folder, Manifest wanted, const Shard& shard, bool overwrite);
 
-  /// Makes the folder, takes away what is to be overwritten, and writes the manifest. Throws RunFailure.
+  /// Makes the folder, holds it for this program, takes away what is to be overwritten, and writes the
+  /// manifest. Throws RunFailure, where another program works there, too.
   void begin();
 
   /// What there is, and what it was made from.
   const Manifest& manifest() const { return manifest_; }
   bool has(int frame) const { return manifest_.frames.contains(frame); }
-  std::filesystem::path frame_file(int frame) const;
+  std::filesystem::path frame_file(int frame) const { return taut::frame_file(folder_, frame); }
 
+  /// Remembers a frame that something else has written.
+  void add(int frame, const FrameRecord& record);
   /// Writes a frame's file and remembers what it shows. The manifest on disk follows now and then. Throws
   /// RunFailure.
   void write(int frame, std::span<const std::uint8_t> png, const std::string& state_hash);
-  /// Remembers a film, in place of one of the same name.
-  void add_film(const FilmRecord& film);
+
+  /// What a run that was stopped goes on from; nothing where there is none that fits what is there.
+  std::optional<Checkpoint> checkpoint(std::span<const int> frames) const;
+  /// Brings all frames before it to the disk, the manifest, and then the checkpoint. Throws RunFailure.
+  void write(const Checkpoint& checkpoint);
+  /// Takes the checkpoint away, where there is one.
+  void remove_checkpoint() const;
+
+  /// Remembers a film, beside others of the same name.
+  void add_film(const FilmRecord& film) { manifest_.films.push_back(film); }
+  /// Forgets all films of that one's name but it.
+  void keep_only(const FilmRecord& film);
   /// Remembers which steps could only be made in parts (Manifest::halvings).
   void set_halvings(const std::string& halvings) { manifest_.halvings = halvings; }
   /// Remembers what draws (GlContext::description()).
   void set_drawn_by(const std::string& drawn_by) { manifest_.drawn_by = drawn_by; }
+  /// Remembers the top of the range of colours (Manifest::colour_range).
+  void set_colour_range(double top) { manifest_.colour_range = top; }
   /// Brings the manifest on disk up to date. Throws RunFailure.
   void save();
 
  private:
-  std::filesystem::path manifest_file() const { return folder_ / "manifest.json"; }
-  void keep_whole_frames(const std::map<int, std::string>& frames);
+  std::filesystem::path manifest_file() const { return folder_ / manifest_name(shard_); }
+  std::filesystem::path checkpoint_file() const;
+  void take_over(const Manifest& there);
   void remove_frames() const;
 
   std::filesystem::path folder_;
   Manifest manifest_;
+  Shard shard_;
   bool overwrite_;
-  std::size_t unsaved_ = 0;  ///< frames since the manifest was written
+  std::optional<std::string> seen_;  // the bytes of the manifest that was looked at
+  std::unique_ptr<FolderLock> lock_;
+  std::unique_ptr<CheckpointClock> clock_;       // of the manifest
+  std::vector<std::filesystem::path> unsynced_;  // frames since the last checkpoint
 };
 
 }  // namespace taut

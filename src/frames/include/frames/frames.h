@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,6 +13,8 @@
 #include "frames/simulation.h"
 #include "frames/stage_times.h"
 #include "host/progress.h"
+#include "host/shard.h"
+#include "output/motion_file.h"
 #include "scene/scene.h"
 
 namespace taut {
@@ -29,6 +32,9 @@ struct RenderRequest {
   /// Shown every state of the run as it is simulated (of several, of the first); may be empty.
   std::function<void(const State&)> watch;
   std::string plan;  ///< why the scene is run as it is, for the manifest; may be empty
+  Shard shard;       ///< which part of the frames
+  /// Played instead of simulating; of the scene's physics. Null: the scene is simulated.
+  std::shared_ptr<const MotionReader> motion;
 };
 
 /// How the run behind one panel ended.
@@ -45,6 +51,7 @@ struct RenderOutcome {
   std::size_t kept = 0;   ///< of those, the ones that were there before
   std::size_t drawn = 0;  ///< frames
   bool film_kept = false;
+  int resumed_at = 0;    ///< the frame that the simulation went on at, from a checkpoint; 0: it began anew
   bool stopped = false;  ///< told to stop before the end; no film then
   double seconds = 0.0;
   std::string inputs;                ///< hash of everything that decides what the frames look like

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "render/trails.h"
@@ -21,6 +23,11 @@ class TrailRecorder {
   void add(const State& state);
   /// The trails that end at a state not before the last point. Null where none are wanted.
   std::shared_ptr<const Trails> up_to(const State& now) const;
+
+  /// All that it takes to go on, as bytes.
+  std::string save() const;
+  /// Goes on from what save() gave for the same scene. Throws BadRequest where it is of another.
+  void restore(std::string_view bytes);
 
  private:
   std::vector<Index> masses_;

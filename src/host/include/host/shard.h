@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace taut {
 
@@ -13,6 +14,10 @@ struct Shard {
   bool all() const { return count == 1; }
   /// Whether the case at that place, from 0, belongs to this part.
   bool has(std::size_t place) const { return place % count == index - 1; }
+  /// The first of its places and the one after its last, where so many are dealt out in one piece each.
+  std::pair<std::size_t, std::size_t> piece(std::size_t places) const {
+    return {places * (index - 1) / count, places * index / count};
+  }
 };
 
 /// The part that a text such as "2/8" means. Throws BadRequest when it is not of that form.

@@ -45,6 +45,10 @@ class Run {
   /// both. Nothing when told to stop on the way, or when the run has ended before.
   std::optional<State> at(double time, const StopTest& stop = {});
 
+  /// Steps as far as one step before a time (s), and gives all that it takes to go on from there: to this
+  /// time and later ones. Nothing where the run is there already, when told to stop, or when it has ended.
+  std::optional<RunState> save_before(double time, const StopTest& stop = {});
+
   /// Whether the masses move with no more energy than there can be. It is looked at every few steps, and
   /// where a state is asked for; the run ends where they don't.
   bool holds_together();

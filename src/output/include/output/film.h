@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -39,9 +40,11 @@ class Film {
   /// Adds the next frame, of the size set. Throws RunFailure with the encoder's last lines when it gave
   /// up, and Interrupted.
   void add(const Image& frame, const StopTest& stop = {});
-  /// Waits for the encoder and gives the film its name. Returns the processor time (s) that the encoder took.
-  /// Throws RunFailure with the encoder's last lines, and Interrupted.
-  double finish(const StopTest& stop = {});
+  /// Waits for the encoder and gives the film its name; just before, `whole` is told the temporary one.
+  /// Returns the processor time (s) that the encoder took. Throws RunFailure with the encoder's last lines,
+  /// and Interrupted.
+  double finish(const StopTest& stop = {},
+                const std::function<void(const std::filesystem::path&)>& whole = {});
 
  private:
   [[noreturn]] void fail(const ProcessEnd& end) const;

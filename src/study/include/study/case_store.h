@@ -15,16 +15,16 @@ struct CaseCount {
   std::size_t completed = 0, planned = 0;
 };
 
-/// Results of cases in a file, each saved as it comes: a line that names the inputs, then a line a case, all
-/// JSON. Whatever moment the program ends at, every case saved before is there afterwards; a last line that
-/// was being written is dropped. The file is locked while the object lives, so that no two programs run the
-/// same case.
+/// Results of cases in a file, each saved as it comes: a line that names the inputs, then a line a case with
+/// the build that ran it, all JSON. Whatever moment the program ends at, every case saved before is there
+/// afterwards; a last line that was being written is dropped. The file is locked while the object lives, so
+/// that no two programs run the same case.
 class CaseStore {
  public:
   /// Reads what the file holds, or begins it, with its folder. `inputs` is a hash of all that decides the
-  /// results (physics of the scene, build, options). Throws OutputConflict where the file was made from other
-  /// inputs or is no such file, unless told to overwrite; RunFailure where it can't be written or another
-  /// program holds it.
+  /// results (physics of the scene, versions.h, options). Throws OutputConflict where the file was made from
+  /// other inputs or is no such file, unless told to overwrite; RunFailure where it can't be written or
+  /// another program holds it.
   CaseStore(std::filesystem::path file, std::string_view inputs, bool overwrite);
   ~CaseStore();
   CaseStore(const CaseStore&) = delete;
@@ -51,6 +51,9 @@ class CaseStore {
   int descriptor_ = -1;
   std::map<std::string, std::string, std::less<>> results_;
 };
+
+/// The inputs that a file of a CaseStore was made from. Throws OutputConflict where it is no such file.
+std::string inputs_of_cases(const std::filesystem::path& file);
 
 /// Every case that a file of a CaseStore holds, with its result, where the text of its inputs begins like
 /// this; none where there is no such file. Changes nothing. Throws OutputConflict where it was made from

@@ -9,6 +9,7 @@
 #include "frames/simulation.h"
 #include "host/machine.h"
 #include "host/progress.h"
+#include "host/shard.h"
 #include "measure/work_precision.h"
 #include "scene/scene.h"
 #include "study/timed_runs.h"
@@ -24,6 +25,7 @@ struct ChartRequest {
   double budget = 60.0;  ///< s; no single run takes more than about one in two hundred parts of it, or, where
                          ///< that is more, 512 times what 60 steps per second take
   bool overwrite = false;
+  Shard shard;  ///< which part of the curves
 };
 
 /// A point of the grid, run, judged and timed.

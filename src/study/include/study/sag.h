@@ -1,9 +1,11 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <vector>
 
 #include "frames/simulation.h"
+#include "host/shard.h"
 #include "measure/rest_shape.h"
 #include "scene/scene.h"
 
@@ -28,12 +30,22 @@ struct SagStudy {
   std::vector<SagEntry> entries;
 };
 
+/// What is to be settled, and where shapes are kept.
+struct SagRequest {
+  std::vector<int> passes;
+  std::filesystem::path folder;  ///< its shapes.jsonl keeps every shape as it is found
+  Shard shard;                   ///< which part of the passes
+};
+
+/// Throws BadRequest for a scene whose method makes no passes.
+void check_sag(const Scene& scene);
+
 /// Settles a scene with its method, which must have passes, for every number of them, and exactly. With euler
 /// velocities are derived; one entry more shows the text's kept ones at the scene's end. Shapes are kept in
-/// the cache (reference_folder()): asked for again, they are only read. `done` hears of every entry. Throws
-/// BadRequest for a method without passes or a scene that has no rest, RunFailure where a step can't be
-/// solved, Interrupted when told to stop on the way.
-SagStudy study_sag(const Scene& scene, const std::vector<int>& passes, const std::function<void(int)>& done,
+/// the request's folder and in the cache (reference_folder()): asked for again, they are only read. `done`
+/// hears of every entry. Throws BadRequest for a method without passes or a scene that has no rest,
+/// RunFailure where a step can't be solved, Interrupted when told to stop on the way.
+SagStudy study_sag(const Scene& scene, const SagRequest& request, const std::function<void(int)>& done,
                    const StopTest& stop);
 
 }  // namespace taut

@@ -1,0 +1,95 @@
+#include "frames/merge.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/failure.h"
+#include "command_line.h"
+#include "exit_status.h"
+#include "frames/frame_selection.h"
+#include "interrupted.h"
+#include "output/film.h"
+#include "study/merge_cases.h"
+#include "verbs.h"
+
+namespace taut {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct MergeFlags {
+  std::vector<std::string> folders;
+  std::string output, film;
+  bool quiet = false;
+};
+
+int merge_all_frames(const std::vector<fs::path>& folders, const fs::path& into, const MergeFlags& flags,
+                     const StopTest& stop) {
+  const std::optional<fs::path> film =
+      flags.film.empty() ? std::nullopt : std::optional<fs::path>(flags.film);
+  const MergedFrames merged = merge_frames(folders, into, film, stop);
+  if (!merged.missing.empty())
+    fmt::print(stderr, "taut: {}: frames {} are missing\n", into.string(), selection_text(merged.missing));
+  if (!flags.quiet)
+    fmt::print(stderr, "{}: {} frames{}\n", into.string(), merged.count,
+               merged.film_made ? ", film in " + flags.film : "");
+  return merged.missing.empty() ? exit_done : exit_incomplete;
+}
+
+int merge_all_cases(const std::vector<fs::path>& folders, const fs::path& into, const MergeFlags& flags) {
+  int status = exit_done;
+  for (const MergedCases& merged : merge_cases(folders, into)) {
+    for (const std::string& hole : merged.holes)
+      fmt::print(stderr, "taut: {}: {}\n", merged.file.string(), hole);
+    if (!flags.quiet)
+      fmt::print(stderr, "{}: {} cases of {} shards; the same command without --shard draws them\n",
+                 merged.file.string(), merged.count, merged.shards);
+    if (!merged.holes.empty()) status = exit_incomplete;
+  }
+  return status;
+}
+
+int merge(const MergeFlags& flags) {
+  const std::vector<fs::path> folders(flags.folders.begin(), flags.folders.end());
+  for (const fs::path& folder : folders)
+    if (!fs::is_directory(folder)) throw BadRequest(fmt::format("there is no folder {}", folder.string()));
+  if (folders.size() > 1 && flags.output.empty())
+    throw BadRequest("with several folders -o says which one they are joined in");
+  const fs::path into = flags.output.empty() ? folders.front() : fs::path(flags.output);
+  const bool frames = std::ranges::any_of(folders, holds_frames);
+  if (!frames && !holds_cases(folders))
+    throw BadRequest(fmt::format("{} holds neither frames nor cases of shards", folders.front().string()));
+  if (!frames && !flags.film.empty()) throw BadRequest("--film is for frames, and there are none");
+  if (!flags.film.empty()) require_film_encoder();
+  const InterruptWatch interrupts(end_at_once);
+  return unless_interrupted(interrupts, "running the same again goes on", [&] {
+    const int joined = frames ? merge_all_frames(folders, into, flags, stop_test(interrupts)) : exit_done;
+    return std::max(joined, merge_all_cases(folders, into, flags));
+  });
+}
+
+}  // namespace
+
+void add_merge(CommandLine& program) {
+  Verb* verb = program.add_subcommand("merge", "Join what shards have made, and name what is missing");
+  const auto flags = std::make_shared<MergeFlags>();
+  verb->add_option("FOLDER", flags->folders, "The folder that shards have filled together, or one of each")
+      ->required();
+  verb->add_option("-o,--output", flags->output, "Join them in this folder [the one that is named]");
+  verb->add_option("--film", flags->film, "Make a film of the frames when all are there, as render does");
+  verb->add_flag("--quiet", flags->quiet, "Say only what is missing");
+  verb->footer(
+      "Status 3: something is missing. Joining again changes nothing.\n\n"
+      "Example:\n  for i in 1 2 3 4; do taut render curtain --shard $i/4 -o frames & done; wait\n"
+      "  taut merge frames --film curtain.mp4");
+  verb->action([flags] { return merge(*flags); });
+}
+
+}  // namespace taut

@@ -1,0 +1,102 @@
+#include "frames/simulate.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "command_line.h"
+#include "exit_status.h"
+#include "flags.h"
+#include "interrupted.h"
+#include "measures_json.h"
+#include "planning.h"
+#include "values.h"
+#include "verbs.h"
+
+namespace taut {
+namespace {
+
+struct SimulateFlags {
+  SceneFlags scene;
+  PlanFlags plan;
+  std::string folder, rate = "30";
+  bool overwrite = false, json = false, quiet = false;
+};
+
+void print_json(const Scene& scene, const MotionRequest& request, const MotionOutcome& outcome) {
+  nlohmann::ordered_json json{
+      {"scene", scene.name},
+      {"method", scene.settings.method},
+      {"frames", {{"asked", outcome.asked}, {"there", outcome.there}, {"kept", outcome.kept}}},
+      {"resumed_at_frame", outcome.resumed_at},
+      {"folder", request.folder.string()},
+      {"bytes", outcome.bytes},
+      {"frames_per_second", request.rate.value()},
+      {"seconds", outcome.seconds},
+      {"inputs", outcome.inputs},
+      {"last_state_hash", outcome.last_state_hash},
+      {"stopped", outcome.stopped}};
+  if (outcome.measures) json["measures"] = measures_to_json(*outcome.measures, scene);
+  fmt::print("{}\n", json.dump(2));
+}
+
+void print_motion(const Scene& scene, const MotionRequest& request, const MotionOutcome& outcome) {
+  fmt::print(stderr, "{}: {} of {} moments", scene.name, outcome.there, outcome.asked);
+  if (outcome.kept > 0) fmt::print(stderr, ", {} of them there already", outcome.kept);
+  if (outcome.resumed_at > 0) fmt::print(stderr, ", went on at frame {}", outcome.resumed_at);
+  fmt::print(stderr, ", in {}, {:.1f} MB, {:.1f} s\n", request.folder.string(),
+             1e-6 * static_cast<double>(outcome.bytes), outcome.seconds);
+}
+
+int simulate_scene(const SimulateFlags& flags) {
+  Scene scene = load(flags.scene.scene, flags.scene.overrides());
+  print_notes(scene, flags.quiet);
+  MotionRequest request;
+  request.folder = flags.folder.empty() ? "out/" + scene.name + "-motion" : flags.folder;
+  request.rate = parse_frame_rate("--fps", flags.rate);
+  request.overwrite = flags.overwrite;
+  request.execution = on_threads(flags.scene.thread_count(0));
+  const InterruptWatch interrupts(end_at_once);
+  return unless_interrupted(interrupts, "nothing was written", [&]() -> int {
+    const StopTest stop = stop_test(interrupts);
+    const std::optional<Plan> plan = settle_method(scene, flags.plan, flags.scene.method, flags.quiet, stop);
+    if (plan) request.plan = plan_text(*plan);
+    Progress progress(stderr, progress_style(stderr, flags.quiet), "moments");
+    const MotionOutcome outcome = simulate_motion(scene, request, progress, stop);
+    if (flags.json) print_json(scene, request, outcome);
+    if (!flags.quiet) print_motion(scene, request, outcome);
+    if (!outcome.stopped) return exit_done;
+    return report_interrupted(
+        interrupts, fmt::format("{} of {} moments are there; running the same again goes on", outcome.there,
+                                outcome.asked));
+  });
+}
+
+}  // namespace
+
+void add_simulate(CommandLine& program) {
+  Verb* verb = program.add_subcommand("simulate",
+                                      "The motion alone, to be drawn later or elsewhere by render --motion");
+  const auto flags = std::make_shared<SimulateFlags>();
+  flags->scene.add_to(*verb);
+  flags->scene.add_threads_to(*verb);
+  flags->plan.add_to(*verb);
+  verb->add_option("-o,--output", flags->folder, "Folder for the motion [out/<scene>-motion]");
+  verb->add_option("--fps", flags->rate, "Moments per second of film, such as 30, 29.97 or 24000/1001")
+      ->capture_default_str();
+  verb->add_flag("--overwrite", flags->overwrite, "Replace a motion that is there already");
+  verb->add_flag("--json", flags->json, "Print a summary as JSON on stdout");
+  verb->add_flag("--quiet", flags->quiet, "No progress and no summary");
+  verb->footer(
+      "Running the same again goes on where it stopped, from the last checkpoint.\n\n"
+      "Example:\n  taut simulate curtain -o motion\n  taut render --motion motion --set camera.orbit=30 "
+      "--film "
+      "curtain.mp4");
+  verb->action([flags] { return simulate_scene(*flags); });
+}
+
+}  // namespace taut

@@ -1,0 +1,135 @@
+#include "frames/merge.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <system_error>
+
+#include "base/failure.h"
+#include "film_records.h"
+#include "frames/frame_folder.h"
+#include "frames/frame_selection.h"
+#include "host/machine.h"
+#include "output/atomic_file.h"
+#include "output/content_hash.h"
+#include "output/film.h"
+#include "output/png_read.h"
+#include "thread_budget.h"
+
+namespace taut {
+namespace {
+
+namespace fs = std::filesystem;
+
+// One of the manifests that are joined, and where its frames lie.
+struct Part {
+  fs::path folder;
+  Manifest manifest;
+};
+
+std::vector<Part> parts_in(std::span<const fs::path> folders) {
+  std::vector<Part> parts;
+  for (const fs::path& folder : folders)
+    for (const auto& [name, manifest] : manifests_in(folder))
+      if (manifest.kind == "frames") parts.push_back({folder, manifest});
+  return parts;
+}
+
+void require_same_inputs(const std::vector<Part>& parts) {
+  for (const Part& part : parts)
+    if (part.manifest.inputs != parts.front().manifest.inputs)
+      throw OutputConflict(fmt::format("{} and {} hold frames made from different inputs",
+                                       parts.front().folder.string(), part.folder.string()));
+}
+
+bool same_folder(const fs::path& a, const fs::path& b) {
+  std::error_code error;
+  return fs::weakly_canonical(fs::absolute(a), error) == fs::weakly_canonical(fs::absolute(b), error);
+}
+
+// Takes a part's whole frames over into the folder.
+void take(const Part& part, FrameFolder& folder, const fs::path& into, const StopTest& stop) {
+  for (const auto& [frame, record] : part.manifest.frames) {
+    stop_if_told(stop);
+    if (folder.has(frame)) continue;
+    const std::optional<std::string> bytes = bytes_of_file(frame_file(part.folder, frame));
+    if (!bytes || content_hash_of(*bytes) != record.content) continue;
+    if (!same_folder(part.folder, into)) write_file(folder.frame_file(frame), *bytes);
+    folder.add(frame, record);
+  }
+}
+
+// The shards' own manifests say no more than the one that they became.
+void remove_shards(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("manifest-") || name.starts_with("checkpoint-")) files.push_back(entry.path());
+  }
+  std::error_code error;  // what stays is of no harm
+  for (const fs::path& file : files) fs::remove(file, error);
+}
+
+void make_film(FrameFolder& folder, const fs::path& into, const fs::path& file, const StopTest& stop) {
+  const Manifest& manifest = folder.manifest();
+  const std::string name = film_name_from(into, file), frames = fmt::format("1-{}", manifest.frame_count);
+  if (!is_film_stream(file))
+    if (const FilmRecord* there = known_film(manifest, name, file); there && there->frames == frames) return;
+  std::optional<Film> film;
+  for (const auto& [frame, record] : manifest.frames) {
+    stop_if_told(stop);
+    const fs::path picture = folder.frame_file(frame);
+    const Image image = decode_png(bytes_of_file(picture).value_or(""), picture);
+    if (!film) {
+      if (file.has_parent_path() && !is_film_stream(file)) make_folder(file.parent_path());
+      film.emplace(
+          FilmSettings{file, manifest.size, frame_rate_from(manifest.frame_rate).value_or(FrameRate{}),
+                       image.channels == 4, thread_budget(static_cast<int>(this_machine().threads)).film});
+    }
+    film->add(image, stop);
+  }
+  FilmRecord made;
+  film->finish(stop, [&](const fs::path& temporary) {
+    made = film_record(name, frames, temporary);
+    folder.add_film(made);
+    folder.save();
+  });
+  if (is_film_stream(file)) return;
+  folder.keep_only(made);
+  folder.save();
+}
+
+}  // namespace
+
+bool holds_frames(const fs::path& folder) {
+  const std::array folders{folder};
+  return !parts_in(folders).empty();
+}
+
+MergedFrames merge_frames(std::span<const fs::path> folders, const fs::path& into,
+                          const std::optional<fs::path>& film, const StopTest& stop) {
+  const std::vector<Part> parts = parts_in(folders);
+  require_same_inputs(parts);
+  Manifest wanted = parts.front().manifest;
+  wanted.frames.clear();
+  wanted.films.clear();
+  wanted.halvings.clear();
+  FrameFolder folder(into, wanted, {}, false);
+  folder.begin();
+  for (const Part& part : parts) take(part, folder, into, stop);
+  folder.save();
+  MergedFrames merged;
+  merged.count = folder.manifest().frames.size();
+  for (const int frame : all_frames(wanted.frame_count))
+    if (!folder.has(frame)) merged.missing.push_back(frame);
+  // A shard that isn't done goes on from its own.
+  if (merged.missing.empty()) remove_shards(into);
+  if (film && merged.missing.empty()) {
+    make_film(folder, into, *film, stop);
+    merged.film_made = true;
+  }
+  return merged;
+}
+
+}  // namespace taut

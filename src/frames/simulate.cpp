@@ -1,0 +1,136 @@
+#include "frames/simulate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <system_error>
+
+#include "base/failure.h"
+#include "base/hash.h"
+#include "frames/film_frames.h"
+#include "frames/frame_folder.h"
+#include "frames/frame_selection.h"
+#include "host/versions.h"
+#include "wanted_manifest.h"
+
+namespace taut {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view motion_file_name = "motion.bin";
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+FrameRecord record_of(const MotionRecord& record) {
+  return {fmt::format("{:016x}", record.state_hash), fmt::format("{:016x}", record.content)};
+}
+
+// One run from a scene to a file of motion.
+class MotionRun {
+ public:
+  MotionRun(const Scene& scene, const MotionRequest& request, FrameFolder& folder, MotionWriter& writer)
+      : scene_(scene), request_(request), folder_(folder), writer_(writer) {}
+
+  // False when told to stop.
+  bool run(const std::vector<int>& frames, const std::optional<Checkpoint>& resume, Progress& progress,
+           const StopTest& stop, MotionOutcome& outcome) {
+    Simulation simulation = resume ? Simulation(scene_, resume->state, request_.execution)
+                                   : Simulation(scene_, request_.execution);
+    for (const int frame : frames) {
+      if (resume && frame < resume->frame) continue;
+      const double time = shown_time(scene_, frame, request_.rate);
+      keep_checkpoint(simulation, frame, time, stop);
+      const std::optional<State> state = simulation.at(time, stop);
+      if (!state) return false;
+      if (!writer_.records().contains(frame)) {
+        writer_.add(frame, {*state, simulation.run().report(), simulation.run().work()});
+        folder_.add(frame, record_of(writer_.records().at(frame)));
+      }
+      progress.update(static_cast<int>(writer_.records().size()));
+      if (frame == frames.back()) outcome.measures = simulation.measures(*state);
+    }
+    return true;
+  }
+
+ private:
+  void keep_checkpoint(Simulation& simulation, int frame, double time, const StopTest& stop) {
+    if (!clock_.due()) return;
+    const auto start = std::chrono::steady_clock::now();
+    std::optional<std::string> state = simulation.save_before(time, stop);
+    if (!state) return;
+    writer_.sync();
+    folder_.write(Checkpoint{frame, *std::move(state)});
+    clock_.begun(seconds_since(start));
+  }
+
+  const Scene& scene_;
+  const MotionRequest& request_;
+  FrameFolder& folder_;
+  MotionWriter& writer_;
+  CheckpointClock clock_;
+};
+
+}  // namespace
+
+MotionOutcome simulate_motion(const Scene& scene, const MotionRequest& request, Progress& progress,
+                              const StopTest& stop) {
+  const auto start = std::chrono::steady_clock::now();
+  MotionOutcome outcome;
+  const Manifest wanted = motion_manifest(scene, request.rate, request.plan);
+  const std::vector<int> frames = all_frames(wanted.frame_count);
+  outcome.asked = frames.size();
+  outcome.inputs = wanted.inputs;
+  FrameFolder folder(request.folder, wanted, {}, request.overwrite);
+  Simulation(scene, request.execution);  // what a method refuses is said before anything is written
+  folder.begin();
+  const fs::path file = request.folder / motion_file_name;
+  MotionWriter writer(file, wanted.inputs, request.overwrite);
+  for (const auto& [frame, record] : writer.records()) folder.add(frame, record_of(record));
+  outcome.kept = writer.records().size();
+  if (outcome.kept < outcome.asked) {
+    const std::optional<Checkpoint> resume = folder.checkpoint(frames);
+    if (resume) outcome.resumed_at = resume->frame;
+    progress.start(static_cast<int>(frames.size()));
+    try {
+      outcome.stopped =
+          !MotionRun(scene, request, folder, writer).run(frames, resume, progress, stop, outcome);
+    } catch (...) {
+      folder.save();
+      throw;
+    }
+    progress.finish();
+  }
+  folder.save();
+  outcome.there = writer.records().size();
+  if (outcome.there == outcome.asked) folder.remove_checkpoint();
+  if (const auto last = writer.records().rbegin(); last != writer.records().rend())
+    outcome.last_state_hash = record_of(last->second).state;
+  std::error_code error;
+  outcome.bytes = fs::file_size(file, error);
+  outcome.seconds = seconds_since(start);
+  return outcome;
+}
+
+StoredMotion open_motion(const fs::path& folder) {
+  const std::optional<Manifest> manifest = read_manifest(folder / "manifest.json");
+  if (!manifest || manifest->kind != "motion")
+    throw BadRequest(
+        fmt::format("{} holds no motion; taut simulate SCENE -o FOLDER makes one", folder.string()));
+  return {*manifest, std::make_shared<const MotionReader>(folder / motion_file_name)};
+}
+
+void require_same_motion(const Scene& scene, const StoredMotion& motion) {
+  const FrameRate rate = frame_rate_from(motion.manifest.frame_rate).value_or(FrameRate{});
+  if (motion_manifest(scene, rate, {}).inputs == motion.reader->inputs()) return;
+  throw BadRequest(
+      fmt::format("the motion is of {} by {} with other physics, settings, duration or look.speed{}; only "
+                  "camera and look can be changed when it is drawn",
+                  motion.manifest.scene, motion.manifest.method,
+                  motion.manifest.physics == physics_version() ? "" : ", or of a taut that moves otherwise"));
+}
+
+}  // namespace taut
