@@ -10,6 +10,7 @@
 #include "flags.h"
 #include "frames/colouring.h"
 #include "host/progress.h"
+#include "host/standard_streams.h"
 #include "interrupted.h"
 #include "methods/registry.h"
 #include "output/gnuplot.h"
@@ -71,12 +72,16 @@ int sag(const SagFlags& flags) {
   });
   progress.finish();
   if (status != exit_done) return status;
-  write_sag_files(scene, *study, settings, folder);
-  if (flags.json) fmt::print("{}", sag_json(scene, *study));
+  const int written = unless_interrupted(interrupts, "not all was written", [&] {
+    write_sag_files(scene, *study, settings, folder, stop_test(interrupts));
+    return exit_done;
+  });
+  if (written != exit_done) return written;
+  if (flags.json) print_result("{}", sag_json(scene, *study));
   if (!flags.quiet)
-    fmt::print(stderr, "{}: exact sag {:.4f} m; with {} {} of {} {:.4f} m; in {}\n", scene.name,
-               study->exact_sag, passes.back(), passes.back() == 1 ? "pass" : "passes",
-               study->settings.method, study->entries[passes.size() - 1].sag, folder);
+    tell("{}: exact sag {:.4f} m; with {} {} of {} {:.4f} m; in {}\n", scene.name, study->exact_sag,
+         passes.back(), passes.back() == 1 ? "pass" : "passes", study->settings.method,
+         study->entries[passes.size() - 1].sag, folder);
   return exit_done;
 }
 

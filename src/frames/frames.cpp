@@ -23,6 +23,7 @@
 #include "frames/picture_notes.h"
 #include "frames/settled_colours.h"
 #include "frames/settled_view.h"
+#include "output/atomic_file.h"
 #include "output/film.h"
 #include "output/png.h"
 #include "panel_runs.h"
@@ -323,7 +324,7 @@ void Pipeline::finish(std::optional<Film>& film) {
     failure_.watch([&] {
       unless_stopped([&] { clock_.add(Stage::encode, film->finish(told_to_stop_)); });
       if (stopped_ || is_film_stream(*request_.film)) return;
-      job_.film.bytes = std::filesystem::file_size(*request_.film);
+      job_.film.bytes = size_of_file(*request_.film);
       if (job_.folder) job_.folder->add_film(job_.film);
     });
   }

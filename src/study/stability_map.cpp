@@ -9,6 +9,7 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <system_error>
 #include <thread>
 
 #include "base/failure.h"
@@ -17,6 +18,7 @@
 #include "host/build_info.h"
 #include "map_column_json.h"
 #include "methods/registry.h"
+#include "output/atomic_file.h"
 
 namespace taut {
 namespace {
@@ -67,10 +69,13 @@ std::filesystem::path file_of(const std::filesystem::path& folder, const Shard& 
 
 std::vector<std::filesystem::path> files_of_shards(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    if (name.starts_with("cases-") && name.ends_with(".jsonl")) files.push_back(entry.path());
+  std::error_code error;
+  std::filesystem::directory_iterator entry(folder, error);
+  for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (name.starts_with("cases-") && name.ends_with(".jsonl")) files.push_back(entry->path());
   }
+  if (error) throw RunFailure(fmt::format("can't read {}: {}", folder.string(), error.message()));
   return files;
 }
 
@@ -79,7 +84,7 @@ void take_over_shards(CaseStore& store, const std::filesystem::path& folder, con
                       bool overwrite) {
   for (const std::filesystem::path& file : files_of_shards(folder)) {
     if (overwrite) {
-      std::filesystem::remove(file);
+      remove_file(file);
       continue;
     }
     const CaseStore left(file, inputs, false);
@@ -178,7 +183,8 @@ using Results = std::map<std::string, std::string, std::less<>>;
 Results results_in(const std::filesystem::path& folder, const StabilityRequest& request, const Scene& scene) {
   const std::string asked = asked_of(scene, request.grid);
   Results results = read_cases(file_of(folder, request.shard), asked);
-  if (request.shard.all() && std::filesystem::exists(folder))
+  std::error_code error;
+  if (request.shard.all() && std::filesystem::exists(folder, error))
     for (const std::filesystem::path& file : files_of_shards(folder)) results.merge(read_cases(file, asked));
   return results;
 }
