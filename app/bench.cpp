@@ -14,6 +14,7 @@
 #include "flags.h"
 #include "host/machine.h"
 #include "host/progress.h"
+#include "host/standard_streams.h"
 #include "interrupted.h"
 #include "methods/simd.h"
 #include "stages.h"
@@ -41,22 +42,22 @@ struct Measured {
 
 void print_frames(const std::vector<FrameSpeed>& speeds) {
   for (const FrameSpeed& speed : speeds) {
-    fmt::print("\n{}: {} frames and a film at {}x{}: {:.1f} frames/s, the first file after {:.2f} s\n",
-               speed.scene, speed.frames, speed.size.width, speed.size.height,
-               static_cast<double>(speed.frames) / speed.seconds, speed.first_file);
-    fmt::print("  {}\n", stages_text(speed.stages, speed.frames));
+    print_result("\n{}: {} frames and a film at {}x{}: {:.1f} frames/s, the first file after {:.2f} s\n",
+                 speed.scene, speed.frames, speed.size.width, speed.size.height,
+                 static_cast<double>(speed.frames) / speed.seconds, speed.first_file);
+    print_result("  {}\n", stages_text(speed.stages, speed.frames));
   }
 }
 
 void print_table(const Measured& measured) {
   const Machine machine = this_machine();
-  fmt::print("{}, {} cores, {}; steps of one pass at 2400 steps/s\n", machine.processor, machine.threads,
-             simd_targets().front());
-  fmt::print("{:<20} {:<12} {:>7} {:>9} {:>12} {:>12}\n", "model", "method", "threads", "links", "µs a step",
-             "ns a link");
+  print_result("{}, {} cores, {}; steps of one pass at 2400 steps/s\n", machine.processor, machine.threads,
+               simd_targets().front());
+  print_result("{:<20} {:<12} {:>7} {:>9} {:>12} {:>12}\n", "model", "method", "threads", "links",
+               "µs a step", "ns a link");
   for (const Speed& speed : measured.speeds)
-    fmt::print("{:<20} {:<12} {:>7} {:>9} {:>12.1f} {:>12.2f}\n", speed.model, speed.method, speed.threads,
-               speed.links, 1e6 * speed.step, 1e9 * speed.per_link);
+    print_result("{:<20} {:<12} {:>7} {:>9} {:>12.1f} {:>12.2f}\n", speed.model, speed.method, speed.threads,
+                 speed.links, 1e6 * speed.step, 1e9 * speed.per_link);
   print_frames(measured.frames);
 }
 
@@ -82,7 +83,7 @@ void print_json(const Measured& measured) {
                               {"seconds_to_first_file", speed.first_file},
                               {"stage_seconds", stages_to_json(speed.stages)}});
   }
-  fmt::print("{}\n", json.dump(2));
+  print_result("{}\n", json.dump(2));
 }
 
 std::vector<FrameSpeed> measure_showcases(int frames, bool quietly, const StopTest& stop) {

@@ -19,6 +19,7 @@
 #include "exit_status.h"
 #include "flags.h"
 #include "host/scene_folder.h"
+#include "host/standard_streams.h"
 #include "interrupted.h"
 #include "output/atomic_file.h"
 #include "output/gnuplot.h"
@@ -85,8 +86,8 @@ std::vector<Scene> load_all(const ChartFlags& flags) {
 
 void print_summary(const Chart& chart, const std::string& folder) {
   const GridWalk::Counts& counts = chart.counts;
-  fmt::print(stderr, "{}: {} of {} cases{}, in {}\n", chart.scene, counts.run, counts.run + counts.open,
-             chart.complete() ? "" : "; running the same again goes on", folder);
+  tell("{}: {} of {} cases{}, in {}\n", chart.scene, counts.run, counts.run + counts.open,
+       chart.complete() ? "" : "; running the same again goes on", folder);
 }
 
 // What charts there are, on one page and in tables.
@@ -98,7 +99,7 @@ void write_overviews(const std::vector<Chart>& charts, const std::filesystem::pa
 void print_json(const std::vector<Chart>& charts) {
   std::vector<std::string> parts(charts.size());
   std::ranges::transform(charts, parts.begin(), chart_json);
-  fmt::print("[{}]\n", fmt::join(parts, ","));
+  print_result("[{}]\n", fmt::join(parts, ","));
 }
 
 // Draws what the folder holds, without a look at the scenes.
@@ -121,10 +122,13 @@ int draw_charts(const ChartFlags& flags) {
     charts.push_back(chart_from_json({std::istreambuf_iterator<char>(stream), {}}, file.string()));
     if (!charts.back().complete()) status = exit_incomplete;
   }
-  for (const Chart& chart : charts) draw_chart(chart, folder);
-  write_overviews(charts, folder);
-  if (flags.json) print_json(charts);
-  return status;
+  const InterruptWatch interrupts(end_at_once);
+  return unless_interrupted(interrupts, "running the same again draws what is missing", [&] {
+    for (const Chart& chart : charts) draw_chart(chart, folder, stop_test(interrupts));
+    write_overviews(charts, folder);
+    if (flags.json) print_json(charts);
+    return status;
+  });
 }
 
 int chart(const ChartFlags& flags) {
@@ -146,7 +150,7 @@ int chart(const ChartFlags& flags) {
       stop_if_told(stop);
       // What is missing is the reason for the status, so it is said in any case.
       if (!flags.quiet || !charts.back().complete()) print_summary(charts.back(), flags.folder);
-      if (request.shard.all()) write_chart(charts.back(), flags.folder);
+      if (request.shard.all()) write_chart(charts.back(), flags.folder, stop);
       if (!charts.back().complete()) status = exit_incomplete;
       if (flags.plans)
         std::ranges::move(judge_plans(scene, charts.back(), stop), std::back_inserter(verdicts));

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -15,6 +14,7 @@
 #include "frames/colouring.h"
 #include "frames/exact_shape.h"
 #include "frames/simulation.h"
+#include "host/standard_streams.h"
 #include "interrupted.h"
 #include "measure/expectation.h"
 #include "measures_json.h"
@@ -160,58 +160,58 @@ Verdict check_scene(const std::string& argument, const CheckFlags& flags, int th
 
 void print_reference(const Json& reference) {
   if (reference.contains("refused"))
-    fmt::print("  no certified reference: {}\n", reference["refused"].get<std::string>());
+    print_result("  no certified reference: {}\n", reference["refused"].get<std::string>());
   else
-    fmt::print("  position error {:.3g} m at {:.4g} s, against {}\n",
-               reference["position_error"].get<double>(), reference["time"].get<double>(),
-               reference["how"].get<std::string>());
+    print_result("  position error {:.3g} m at {:.4g} s, against {}\n",
+                 reference["position_error"].get<double>(), reference["time"].get<double>(),
+                 reference["how"].get<std::string>());
 }
 
 void print_measures(const Json& measures) {
   const auto number = [&](const char* key) { return measures[key].get<double>(); };
   const std::string tension =
       measures["largest_tension"].is_null() ? "unknown" : fmt::format("{:.4g} N", number("largest_tension"));
-  fmt::print(
+  print_result(
       "  at {:.4g} s: strain {:.3g}, tension {}, energy error {:.3g} of the scale, sag {:.4g} m, {} "
       "broken\n",
       number("time"), measures["strain"]["largest"].get<double>(), tension, number("energy_error"),
       number("sag"), measures["broken_links"].get<std::int64_t>());
-  fmt::print("  cost: {} link solves in {} rounds, {} factorisations, {} halvings\n",
-             measures["link_solves"].get<std::int64_t>(), measures["rounds"].get<std::int64_t>(),
-             measures["factorisations"].get<std::int64_t>(), measures["halvings"].get<std::int64_t>());
+  print_result("  cost: {} link solves in {} rounds, {} factorisations, {} halvings\n",
+               measures["link_solves"].get<std::int64_t>(), measures["rounds"].get<std::int64_t>(),
+               measures["factorisations"].get<std::int64_t>(), measures["halvings"].get<std::int64_t>());
 }
 
 void print_spin(const Json& spin) {
   const double at_start = spin["at_start"].get<double>(), at_end = spin["at_end"].get<double>();
   const std::string share = at_start > 0.0 ? fmt::format(", {:.4g} %", 100.0 * at_end / at_start) : "";
-  fmt::print(
+  print_result(
       "  free flight: angular momentum about the centre {:.6g} kg m²/s at the start, {:.6g} at the end{}\n",
       at_start, at_end, share);
 }
 
 void print_verdict(const Verdict& verdict, const CheckFlags& flags) {
-  if (!verdict.message.empty()) fmt::print(stderr, "taut: {}\n", verdict.message);
+  if (!verdict.message.empty()) tell("taut: {}\n", verdict.message);
   if (flags.json || flags.quiet || verdict.status == exit_bad_request) return;
   const Json& json = verdict.json;
   if (flags.resolved) {
-    fmt::print("{}", json["resolved"].get<std::string>());
+    print_result("{}", json["resolved"].get<std::string>());
     return;
   }
-  fmt::print("{}: {} masses, {} links, {} s with {} {}{}\n", json["scene"].get<std::string>(),
-             json["masses"].get<std::size_t>(), json["links"].get<std::size_t>(),
-             json["duration"].get<double>(), json["method"].get<std::string>(),
-             json["pace"].get<std::string>(), verdict.status == exit_done ? ", fine" : "");
-  fmt::print("{}", verdict.explanation);
+  print_result("{}: {} masses, {} links, {} s with {} {}{}\n", json["scene"].get<std::string>(),
+               json["masses"].get<std::size_t>(), json["links"].get<std::size_t>(),
+               json["duration"].get<double>(), json["method"].get<std::string>(),
+               json["pace"].get<std::string>(), verdict.status == exit_done ? ", fine" : "");
+  print_result("{}", verdict.explanation);
   if (json.contains("reference")) print_reference(json["reference"]);
   if (!json.contains("findings")) return;
   print_measures(json["measures"]);
-  if (verdict.certificate) fmt::print("  certificate: {}\n", certificate_text(*verdict.certificate));
+  if (verdict.certificate) print_result("  certificate: {}\n", certificate_text(*verdict.certificate));
   if (const auto halvings = json["halvings"].get<std::string>(); !halvings.empty())
-    fmt::print("  {}\n", halvings);
+    print_result("  {}\n", halvings);
   if (json.contains("spin")) print_spin(json["spin"]);
   for (const Json& finding : json["findings"])
-    fmt::print("  {} {}: {}\n", finding["holds"].get<bool>() ? "holds" : "FAILS",
-               finding["key"].get<std::string>(), finding["text"].get<std::string>());
+    print_result("  {} {}: {}\n", finding["holds"].get<bool>() ? "holds" : "FAILS",
+                 finding["key"].get<std::string>(), finding["text"].get<std::string>());
 }
 
 int check(const CheckFlags& flags) {
@@ -232,7 +232,7 @@ int check(const CheckFlags& flags) {
     status = std::max(status, verdict.status);
     verdicts.push_back(verdict.json);
   }
-  if (flags.json) fmt::print("{}\n", verdicts.dump(2));
+  if (flags.json) print_result("{}\n", verdicts.dump(2));
   return status;
 }
 

@@ -1,8 +1,10 @@
 #include "command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <sstream>
 
 #include "base/failure.h"
+#include "host/standard_streams.h"
 #include "usage.h"
 
 namespace taut {
@@ -92,7 +94,12 @@ Action CommandLine::parse(int argument_count, char** arguments) {
   try {
     program_->parse(argument_count, arguments);
   } catch (const CLI::Success& help) {
-    return [status = program_->exit(help)] { return status; };
+    std::ostringstream text;
+    const int status = program_->exit(help, text, text);
+    return [status, shown = text.str()] {
+      write_result(shown);
+      return status;
+    };
   } catch (const CLI::ParseError& error) {
     throw BadRequest(usage_problem(misuse(*program_, error)));
   }

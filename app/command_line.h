@@ -72,7 +72,7 @@ class CommandLine {
   /// value.
   void add_everywhere(const std::string& names, const std::string& variable, std::string& value,
                       const std::string& help);
-  /// What the arguments ask for; help and version are printed at once. Throws BadRequest where they make no
+  /// What the arguments ask for; help and version are actions, too. Throws BadRequest where they make no
   /// sense.
   Action parse(int argument_count, char** arguments);
 

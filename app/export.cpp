@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -15,6 +15,7 @@
 #include "frames/frame_selection.h"
 #include "frames/simulation.h"
 #include "frames/still.h"
+#include "host/standard_streams.h"
 #include "interrupted.h"
 #include "methods/registry.h"
 #include "output/atomic_file.h"
@@ -62,17 +63,19 @@ std::vector<Instant> instants(const ExportFlags& flags, const Scene& scene) {
 class Sink {
  public:
   explicit Sink(const std::string& file) {
-    if (!file.empty() && file != "-") pending_.emplace(file);
+    if (file.empty() || file == "-") return;
+    sweep_leftovers(std::filesystem::path(file).parent_path());
+    pending_.emplace(file);
   }
   void write(const std::string& text) {
     if (pending_)
       pending_->write(std::as_bytes(std::span(text)));
-    else if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size())
-      throw RunFailure("stdout took no more");
+    else
+      write_result(text);
   }
   void finish() {
     if (pending_) pending_->commit();
-    if (!pending_ && std::fflush(stdout) != 0) throw RunFailure("stdout took no more");
+    if (!pending_) finish_results();
   }
 
  private:

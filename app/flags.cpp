@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -16,6 +15,7 @@
 #include "base/failure.h"
 #include "base/nearest.h"
 #include "host/scene_folder.h"
+#include "host/standard_streams.h"
 #include "values.h"
 
 namespace taut {
@@ -107,7 +107,7 @@ Scene load(const std::string& argument, const SceneOverrides& overrides) {
 
 void print_notes(const Scene& scene, bool quiet) {
   if (quiet) return;
-  for (const std::string& note : scene.notes) fmt::print(stderr, "taut: {}\n", note);
+  for (const std::string& note : scene.notes) tell("taut: {}\n", note);
 }
 
 void PictureFlags::add_to(Verb& verb) {

@@ -2,15 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
-
 #include "base/abrupt_end.h"
 #include "exit_status.h"
+#include "host/standard_streams.h"
 
 namespace taut {
 
 void end_at_once(int signal) {
-  fmt::print(stderr, "taut: interrupted in the middle of a step that takes long; what was whole is kept\n");
+  tell("taut: interrupted in the middle of a step that takes long; what was whole is kept\n");
   end_abruptly(exit_signal + signal);
 }
 
@@ -19,7 +18,7 @@ StopTest stop_test(const InterruptWatch& interrupts) {
 }
 
 int report_interrupted(const InterruptWatch& interrupts, std::string_view what_became) {
-  fmt::print(stderr, "taut: interrupted; {}\n", what_became);
+  tell("taut: interrupted; {}\n", what_became);
   return exit_signal + interrupts.caught();
 }
 

@@ -2,7 +2,6 @@
 #include <fmt/ranges.h>
 
 #include <array>
-#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string_view>
@@ -12,6 +11,7 @@
 #include "command_line.h"
 #include "exit_status.h"
 #include "host/scene_folder.h"
+#include "host/standard_streams.h"
 #include "methods/registry.h"
 #include "render/gl_context.h"
 #include "scene/scene.h"
@@ -82,23 +82,23 @@ Json method_to_json(const Method& method) {
 
 void print_param(const Param& param) {
   if (!param.choices.empty())
-    fmt::print("    {:<18} {} [{}]: {}\n", param.name, fmt::join(param.choices, " | "), param.choices.front(),
-               param.help);
+    print_result("    {:<18} {} [{}]: {}\n", param.name, fmt::join(param.choices, " | "),
+                 param.choices.front(), param.help);
   else
-    fmt::print("    {:<18} {} to {}{}{} [{}]: {}\n", param.name, param.min, param.max,
-               param.unit.empty() ? "" : " ", param.unit, param.fallback, param.help);
+    print_result("    {:<18} {} to {}{}{} [{}]: {}\n", param.name, param.min, param.max,
+                 param.unit.empty() ? "" : " ", param.unit, param.fallback, param.help);
 }
 
 void list_methods(bool as_json) {
   if (as_json) {
     Json json = Json::array();
     for (const Method& method : all_methods()) json.push_back(method_to_json(method));
-    fmt::print("{}\n", json.dump(2));
+    print_result("{}\n", json.dump(2));
     return;
   }
   for (const Method& method : all_methods()) {
-    fmt::print("{}: {}\n    {}\n    {}\n", method.name, method.title, method.source,
-               conservation_text(method.can.keeps));
+    print_result("{}: {}\n    {}\n    {}\n", method.name, method.title, method.source,
+                 conservation_text(method.can.keeps));
     for (const Param& param : method.params) print_param(param);
   }
 }
@@ -122,23 +122,23 @@ void list_scenes(bool as_json) {
   Json scenes = Json::array();
   for (const std::filesystem::path& file : all_scene_files()) scenes.push_back(scene_to_json(file));
   if (as_json) {
-    fmt::print("{}\n", scenes.dump(2));
+    print_result("{}\n", scenes.dump(2));
     return;
   }
   for (const Json& scene : scenes) {
     const std::string name = scene["name"];
     if (scene.contains("error"))
-      fmt::print("{:<26} has errors; `taut check {}` shows them\n", name, scene["path"].get<std::string>());
+      print_result("{:<26} has errors; `taut check {}` shows them\n", name, scene["path"].get<std::string>());
     else
-      fmt::print("{:<26} {}: {} masses, {} links, {} s\n", name, scene["title"].get<std::string>(),
-                 scene["masses"].get<std::size_t>(), scene["links"].get<std::size_t>(),
-                 scene["duration"].get<double>());
+      print_result("{:<26} {}: {} masses, {} links, {} s\n", name, scene["title"].get<std::string>(),
+                   scene["masses"].get<std::size_t>(), scene["links"].get<std::size_t>(),
+                   scene["duration"].get<double>());
   }
 }
 
 void list_keys(bool as_json) {
   if (as_json) throw BadRequest("the keys are listed as Markdown; --json is for the others");
-  fmt::print("{}", key_reference());
+  print_result("{}", key_reference());
 }
 
 void list_gl(bool as_json) {
@@ -146,9 +146,9 @@ void list_gl(bool as_json) {
   for (const GlDevice& device : gl_devices()) {
     json.push_back({{"name", device.name}, {"description", device.description}, {"problem", device.problem}});
     if (!as_json)
-      fmt::print("{:<8} {}\n", device.name, device.problem.empty() ? device.description : device.problem);
+      print_result("{:<8} {}\n", device.name, device.problem.empty() ? device.description : device.problem);
   }
-  if (as_json) fmt::print("{}\n", json.dump(2));
+  if (as_json) print_result("{}\n", json.dump(2));
 }
 
 int list(const ListFlags& flags) {

@@ -10,6 +10,8 @@
 #include "command_line.h"
 #include "exit_status.h"
 #include "host/build_info.h"
+#include "host/signals.h"
+#include "host/standard_streams.h"
 #include "methods/simd.h"
 #include "verbs.h"
 
@@ -17,14 +19,17 @@ namespace taut {
 namespace {
 
 int fail(const char* what, ExitStatus status) {
-  fmt::print(stderr, "taut: {}\n", what);
+  tell("taut: {}\n", what);
   return status;
 }
 
-// Runs what the command line asks for and turns what it throws into a message and an exit status.
+// Runs what the command line asks for and turns what it throws into a message and an exit status. What it
+// printed counts as done only once it has arrived.
 int carry_out(const Action& action) {
   try {
-    return action();
+    const int status = action();
+    finish_results();
+    return status;
   } catch (const BadRequest& problem) {
     return fail(problem.what(), exit_bad_request);
   } catch (const OutputConflict& problem) {
@@ -70,10 +75,14 @@ int run(int argument_count, char** arguments) {
 }  // namespace taut
 
 int main(int argument_count, char** arguments) {
+  taut::fill_standard_streams();
+  taut::ignore_write_signals();
   try {
     return taut::run(argument_count, arguments);
   } catch (const std::exception& problem) {
-    std::fprintf(stderr, "taut: %s\n", problem.what());
+    taut::show_text(stderr, "taut: ");
+    taut::show_text(stderr, problem.what());
+    taut::show_text(stderr, "\n");
     return taut::exit_failed;
   }
 }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -14,6 +13,7 @@
 #include "command_line.h"
 #include "exit_status.h"
 #include "frames/frame_selection.h"
+#include "host/standard_streams.h"
 #include "interrupted.h"
 #include "output/film.h"
 #include "study/merge_cases.h"
@@ -36,9 +36,9 @@ int merge_all_frames(const std::vector<fs::path>& folders, const fs::path& into,
       flags.film.empty() ? std::nullopt : std::optional<fs::path>(flags.film);
   const MergedFrames merged = merge_frames(folders, into, film, stop);
   if (!merged.missing.empty())
-    fmt::print(stderr, "taut: {}: frames {} are missing\n", into.string(), selection_text(merged.missing));
+    tell("taut: {}: frames {} are missing\n", into.string(), selection_text(merged.missing));
   if (!flags.quiet)
-    fmt::print(stderr, "{}: {} frames{}\n", into.string(), merged.count,
+    tell("{}: {} frames{}\n", into.string(), merged.count,
                merged.film_made ? ", film in " + flags.film : "");
   return merged.missing.empty() ? exit_done : exit_incomplete;
 }
@@ -47,9 +47,9 @@ int merge_all_cases(const std::vector<fs::path>& folders, const fs::path& into, 
   int status = exit_done;
   for (const MergedCases& merged : merge_cases(folders, into)) {
     for (const std::string& hole : merged.holes)
-      fmt::print(stderr, "taut: {}: {}\n", merged.file.string(), hole);
+      tell("taut: {}: {}\n", merged.file.string(), hole);
     if (!flags.quiet)
-      fmt::print(stderr, "{}: {} cases of {} shards; the same command without --shard draws them\n",
+      tell("{}: {} cases of {} shards; the same command without --shard draws them\n",
                  merged.file.string(), merged.count, merged.shards);
     if (!merged.holes.empty()) status = exit_incomplete;
   }

@@ -8,6 +8,7 @@
 #include "base/failure.h"
 #include "exit_status.h"
 #include "host/machine.h"
+#include "host/standard_streams.h"
 #include "interrupted.h"
 #include "measures_json.h"
 #include "output/film.h"
@@ -59,38 +60,36 @@ void print_json(std::span<const Scene> scenes, const RenderRequest& request, con
   if (outcome.note) json["note"] = *outcome.note;
   if (request.folder) json["folder"] = request.folder->string();
   if (request.film && !outcome.stopped) json["film"] = request.film->string();
-  fmt::print("{}\n", json.dump(2));
+  print_result("{}\n", json.dump(2));
 }
 
 void print_stages(const RenderOutcome& outcome) {
   if (outcome.drawn == 0) return;
-  fmt::print(stderr, "drawn by {}\n{:.1f} frames/s; {}\n", outcome.drawn_by,
-             static_cast<double>(outcome.drawn) / outcome.seconds,
-             stages_text(outcome.stages, outcome.drawn));
+  tell("drawn by {}\n{:.1f} frames/s; {}\n", outcome.drawn_by,
+       static_cast<double>(outcome.drawn) / outcome.seconds, stages_text(outcome.stages, outcome.drawn));
 }
 
 void print_summary(std::span<const Scene> scenes, const RenderRequest& request,
                    const RenderOutcome& outcome) {
   const std::string kept = outcome.kept > 0 ? fmt::format(", {} of them there already", outcome.kept) : "";
-  fmt::print(stderr, "{}: {} of {} frames{}", scenes.front().name, outcome.shown, outcome.asked, kept);
-  if (outcome.resumed_at > 0) fmt::print(stderr, ", went on at frame {}", outcome.resumed_at);
-  if (request.folder) fmt::print(stderr, ", in {}", request.folder->string());
-  if (request.film && !outcome.stopped) fmt::print(stderr, ", film in {}", request.film->string());
-  if (request.film && outcome.stopped) fmt::print(stderr, ", no film");
-  fmt::print(stderr, ", {}\n", duration_text(outcome.seconds));
-  if (outcome.note) fmt::print(stderr, "taut: note: {}\n", *outcome.note);
+  tell("{}: {} of {} frames{}", scenes.front().name, outcome.shown, outcome.asked, kept);
+  if (outcome.resumed_at > 0) tell(", went on at frame {}", outcome.resumed_at);
+  if (request.folder) tell(", in {}", request.folder->string());
+  if (request.film && !outcome.stopped) tell(", film in {}", request.film->string());
+  if (request.film && outcome.stopped) tell(", no film");
+  tell(", {}\n", duration_text(outcome.seconds));
+  if (outcome.note) tell("taut: note: {}\n", *outcome.note);
   for (std::size_t i = 0; i < outcome.panels.size(); ++i)
     if (const RunReport& report = outcome.panels[i].measures.report; report.worth_telling())
-      fmt::print(stderr, "taut: note: {}: {}\n", scenes[i].settings.method,
-                 halving_sentence(scenes[i].model, report));
+      tell("taut: note: {}: {}\n", scenes[i].settings.method, halving_sentence(scenes[i].model, report));
 }
 
 // What went wrong is said in any case.
 void print_failures(std::span<const Scene> scenes, const RenderOutcome& outcome) {
   for (std::size_t i = 0; i < outcome.panels.size(); ++i)
     if (!outcome.panels[i].failure.empty())
-      fmt::print(stderr, "taut: the panel of {} went no further: {}\n", scenes[i].settings.method,
-                 outcome.panels[i].failure);
+      tell("taut: the panel of {} went no further: {}\n", scenes[i].settings.method,
+           outcome.panels[i].failure);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "base/diagnostic.h"
 #include "base/failure.h"
 #include "host/progress.h"
+#include "host/standard_streams.h"
 #include "measure/quick_plan.h"
 #include "study/scene_plan.h"
 #include "values.h"
@@ -36,8 +37,8 @@ Plan searched(const Scene& scene, const PlanFlags& flags, const std::string& met
   using Clock = std::chrono::steady_clock;
   PlanSearch search{target_from(flags.accuracy), method, search_seconds(flags.search), {}};
   if (!quiet)
-    fmt::print(stderr, "taut: searching for the cheapest way to {} in {}, for at most {:.3g} s\n",
-               flags.accuracy, scene.name, search.seconds);
+    tell("taut: searching for the cheapest way to {} in {}, for at most {:.3g} s\n", flags.accuracy,
+         scene.name, search.seconds);
   Progress progress(stderr, progress_style(stderr, quiet), "seconds of the search");
   progress.start(static_cast<int>(search.seconds));
   const Clock::time_point begin = Clock::now();
@@ -69,7 +70,7 @@ std::optional<Plan> settle_method(Scene& scene, const PlanFlags& flags, const st
                                      : searched(scene, flags, method, quiet, stop);
   scene.settings = plan.settings;
   scene.solve_given = true;
-  if (!quiet) fmt::print(stderr, "taut: {}: {}\n", scene.name, plan_text(plan));
+  if (!quiet) tell("taut: {}: {}\n", scene.name, plan_text(plan));
   return plan;
 }
 
@@ -93,7 +94,7 @@ nlohmann::ordered_json plan_to_json(const Plan& plan) {
 }
 
 void print_accuracy(const Plan& plan) {
-  fmt::print(stderr, "accuracy: {}\n", accuracy_sentence(plan));
+  tell("accuracy: {}\n", accuracy_sentence(plan));
 }
 
 void add_certify(Verb& verb, bool& certify) {
@@ -104,7 +105,7 @@ void add_certify(Verb& verb, bool& certify) {
 }
 
 void print_certificate(const Certificate& certificate) {
-  fmt::print(stderr, "certificate: {}\n", certificate_text(certificate));
+  tell("certificate: {}\n", certificate_text(certificate));
 }
 
 }  // namespace taut

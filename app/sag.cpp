@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 
 #include "base/failure.h"
@@ -10,6 +11,7 @@
 #include "flags.h"
 #include "frames/colouring.h"
 #include "host/progress.h"
+#include "host/standard_streams.h"
 #include "interrupted.h"
 #include "methods/registry.h"
 #include "output/gnuplot.h"
@@ -67,25 +69,32 @@ int sag(const SagFlags& flags) {
   Progress progress(stderr, progress_style(stderr, flags.quiet), "rest shapes");
   progress.start(static_cast<int>(request.passes.size()));
   std::optional<SagStudy> study;
-  const int status = unless_interrupted(interrupts, "running the same again goes on", [&] {
+  try {
     study = study_sag(
         scene, request, [&](int done) { progress.update(done); }, stop_test(interrupts));
-    return exit_done;
-  });
+  } catch (const Interrupted&) {
+    progress.finish();
+    return report_interrupted(interrupts, std::filesystem::exists(request.folder)
+                                              ? "running the same again goes on"
+                                              : "nothing was written");
+  }
   progress.finish();
-  if (status != exit_done) return status;
   if (!request.shard.all()) {
     if (!flags.quiet)
-      fmt::print(stderr, "{}: {} shapes, in {}; run without --shard afterwards to draw\n", scene.name,
-                 study->entries.size(), folder);
+      tell("{}: {} shapes, in {}; run without --shard afterwards to draw\n", scene.name, study->entries.size(),
+           folder);
     return exit_done;
   }
-  write_sag_files(scene, *study, settings, folder);
-  if (flags.json) fmt::print("{}", sag_json(scene, *study));
+  const int written = unless_interrupted(interrupts, "not all was written", [&] {
+    write_sag_files(scene, *study, settings, folder, stop_test(interrupts));
+    return exit_done;
+  });
+  if (written != exit_done) return written;
+  if (flags.json) print_result("{}", sag_json(scene, *study));
   if (!flags.quiet)
-    fmt::print(stderr, "{}: exact sag {:.4f} m; with {} {} of {} {:.4f} m; in {}\n", scene.name,
-               study->exact_sag, request.passes.back(), request.passes.back() == 1 ? "pass" : "passes",
-               study->settings.method, study->entries[request.passes.size() - 1].sag, folder);
+    tell("{}: exact sag {:.4f} m; with {} {} of {} {:.4f} m; in {}\n", scene.name, study->exact_sag,
+         request.passes.back(), request.passes.back() == 1 ? "pass" : "passes", study->settings.method,
+         study->entries[request.passes.size() - 1].sag, folder);
   return exit_done;
 }
 

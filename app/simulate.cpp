@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -11,6 +10,7 @@
 #include "command_line.h"
 #include "exit_status.h"
 #include "flags.h"
+#include "host/standard_streams.h"
 #include "interrupted.h"
 #include "measures_json.h"
 #include "planning.h"
@@ -41,14 +41,14 @@ void print_json(const Scene& scene, const MotionRequest& request, const MotionOu
       {"last_state_hash", outcome.last_state_hash},
       {"stopped", outcome.stopped}};
   if (outcome.measures) json["measures"] = measures_to_json(*outcome.measures, scene);
-  fmt::print("{}\n", json.dump(2));
+  print_result("{}\n", json.dump(2));
 }
 
 void print_motion(const Scene& scene, const MotionRequest& request, const MotionOutcome& outcome) {
-  fmt::print(stderr, "{}: {} of {} moments", scene.name, outcome.there, outcome.asked);
-  if (outcome.kept > 0) fmt::print(stderr, ", {} of them there already", outcome.kept);
-  if (outcome.resumed_at > 0) fmt::print(stderr, ", went on at frame {}", outcome.resumed_at);
-  fmt::print(stderr, ", in {}, {:.1f} MB, {:.1f} s\n", request.folder.string(),
+  tell("{}: {} of {} moments", scene.name, outcome.there, outcome.asked);
+  if (outcome.kept > 0) tell(", {} of them there already", outcome.kept);
+  if (outcome.resumed_at > 0) tell(", went on at frame {}", outcome.resumed_at);
+  tell(", in {}, {:.1f} MB, {:.1f} s\n", request.folder.string(),
              1e-6 * static_cast<double>(outcome.bytes), outcome.seconds);
 }
 

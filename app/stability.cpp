@@ -12,6 +12,7 @@
 #include "command_line.h"
 #include "exit_status.h"
 #include "flags.h"
+#include "host/standard_streams.h"
 #include "interrupted.h"
 #include "methods/registry.h"
 #include "output/gnuplot.h"
@@ -79,16 +80,18 @@ int carry_out(const MapJob& job, const StabilityFlags& flags, const InterruptWat
   Progress progress(stderr, progress_style(stderr, flags.quiet), "columns");
   const StabilityMaps maps =
       make_stability_maps(job.scene, job.request, job.folder, progress, stop_test(interrupts));
-  if (flags.json) fmt::print("{}", stability_json(maps, job.scene));
+  if (flags.json) print_result("{}", stability_json(maps, job.scene));
   const bool complete = maps.count.completed == maps.count.planned;
   // What is missing is the reason for the status, so it is said in any case.
   if (!flags.quiet || !complete)
-    fmt::print(stderr, "{} {}: {} of {} columns{}, in {}\n", job.scene.name, job.request.grid.axes->name,
-               maps.count.completed, maps.count.planned, complete ? "" : "; the others are still to be run",
-               job.folder.string());
+    tell("{} {}: {} of {} columns{}, in {}\n", job.scene.name, job.request.grid.axes->name,
+         maps.count.completed, maps.count.planned, complete ? "" : "; the others are still to be run",
+         job.folder.string());
   if (maps.stopped) return report_interrupted(interrupts, "running the same again goes on");
-  if (job.request.shard.all()) write_stability_files(maps, job.scene, job.folder);
-  return complete ? exit_done : exit_incomplete;
+  return unless_interrupted(interrupts, "running the same again draws what is missing", [&]() -> int {
+    if (job.request.shard.all()) write_stability_files(maps, job.scene, job.folder, stop_test(interrupts));
+    return complete ? exit_done : exit_incomplete;
+  });
 }
 
 int stability(const StabilityFlags& flags) {

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -12,6 +11,7 @@
 #include "command_line.h"
 #include "exit_status.h"
 #include "flags.h"
+#include "host/standard_streams.h"
 #include "interrupted.h"
 #include "planning.h"
 #include "values.h"
@@ -47,10 +47,10 @@ int still(const StillFlags& flags) {
     nlohmann::ordered_json json{{"scene", scene.name}, {"time", time}, {"file", flags.file}};
     if (plan) json["plan"] = plan_to_json(*plan);
     if (note) json["note"] = *note;
-    fmt::print("{}\n", json.dump(2));
+    print_result("{}\n", json.dump(2));
   }
-  if (!flags.quiet) fmt::print(stderr, "{}: {} s, in {}\n", scene.name, time, flags.file);
-  if (!flags.quiet && note) fmt::print(stderr, "taut: note: {}\n", *note);
+  if (!flags.quiet) tell("{}: {} s, in {}\n", scene.name, time, flags.file);
+  if (!flags.quiet && note) tell("taut: note: {}\n", *note);
   return exit_done;
 }
 

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -11,6 +10,7 @@
 #include "exit_status.h"
 #include "flags.h"
 #include "frames/still.h"
+#include "host/standard_streams.h"
 #include "interrupted.h"
 #include "planning.h"
 #include "values.h"
@@ -48,10 +48,10 @@ int strip(const StripFlags& flags) {
     nlohmann::ordered_json json{{"scene", scene.name}, {"times", times}, {"file", flags.file}};
     if (plan) json["plan"] = plan_to_json(*plan);
     if (note) json["note"] = *note;
-    fmt::print("{}\n", json.dump(2));
+    print_result("{}\n", json.dump(2));
   }
-  if (!flags.quiet) fmt::print(stderr, "{}: {} pictures, in {}\n", scene.name, times.size(), flags.file);
-  if (!flags.quiet && note) fmt::print(stderr, "taut: note: {}\n", *note);
+  if (!flags.quiet) tell("{}: {} pictures, in {}\n", scene.name, times.size(), flags.file);
+  if (!flags.quiet && note) tell("taut: note: {}\n", *note);
   return exit_done;
 }
 

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -10,6 +9,7 @@
 #include "command_line.h"
 #include "exit_status.h"
 #include "frames/frame_selection.h"
+#include "host/standard_streams.h"
 #include "interrupted.h"
 #include "verbs.h"
 
@@ -32,20 +32,20 @@ int verify_output(const VerifyFlags& flags) {
     Progress progress(stderr, progress_style(stderr, flags.quiet), "frames");
     const Verification found = verify(flags.output, flags.deep, progress, stop_test(interrupts));
     if (flags.json)
-      fmt::print("{}\n", nlohmann::ordered_json{{"output", flags.output},
+      print_result("{}\n", nlohmann::ordered_json{{"output", flags.output},
                                                 {"whole", found.faults.empty()},
                                                 {"checked", found.checked},
                                                 {"faults", found.faults},
                                                 {"notes", found.notes},
                                                 {"frames_missing", found.missing}}
                              .dump(2));
-    for (const std::string& fault : found.faults) fmt::print(stderr, "taut: {}: {}\n", flags.output, fault);
+    for (const std::string& fault : found.faults) tell("taut: {}: {}\n", flags.output, fault);
     if (!flags.quiet) {
-      for (const std::string& note : found.notes) fmt::print(stderr, "taut: note: {}\n", note);
+      for (const std::string& note : found.notes) tell("taut: note: {}\n", note);
       if (!found.missing.empty())
-        fmt::print(stderr, "taut: note: frames {} of the film were not made\n",
+        tell("taut: note: frames {} of the film were not made\n",
                    selection_text(found.missing));
-      fmt::print(stderr, "{}: {} checked{}, {}\n", flags.output, found.checked,
+      tell("{}: {} checked{}, {}\n", flags.output, found.checked,
                  flags.deep ? " and simulated again" : "",
                  found.faults.empty() ? "whole" : fmt::format("{} faults", found.faults.size()));
     }

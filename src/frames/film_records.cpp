@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "base/failure.h"
+#include "output/atomic_file.h"
 #include "output/content_hash.h"
 
 namespace taut {
@@ -41,7 +42,7 @@ const FilmRecord* known_film(const Manifest& manifest, const std::string& name, 
 }
 
 FilmRecord film_record(const std::string& name, const std::string& frames, const fs::path& temporary) {
-  return {name, frames, fs::file_size(temporary), content_hash(temporary).value_or("")};
+  return {name, frames, size_of_file(temporary), content_hash(temporary).value_or("")};
 }
 
 }  // namespace taut

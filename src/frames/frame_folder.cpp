@@ -124,11 +124,7 @@ void FrameFolder::remove_frames() const {
     for (const auto& entry : fs::directory_iterator(folder_))
       if (entry.path().filename().string().starts_with("manifest-")) files.push_back(entry.path());
   }
-  for (const fs::path& file : files) {
-    std::error_code error;
-    fs::remove(file, error);
-    if (error) throw RunFailure(fmt::format("can't remove {}: {}", file.string(), error.message()));
-  }
+  for (const fs::path& file : files) remove_file(file);
 }
 
 fs::path FrameFolder::checkpoint_file() const {

@@ -22,6 +22,7 @@
 #include "frames/picture_notes.h"
 #include "frames/settled_colours.h"
 #include "frames/settled_view.h"
+#include "output/atomic_file.h"
 #include "output/film.h"
 #include "output/png.h"
 #include "panel_runs.h"

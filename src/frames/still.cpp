@@ -66,6 +66,7 @@ std::optional<std::string> make_strip(Scene& scene, const std::vector<double>& t
   const SheetGrid grid{settings.render.size, static_cast<int>(times.size()), 1};
   check_size(grid.size());
   Simulation simulation(scene, execution);
+  sweep_leftovers(file.parent_path());
   PendingFile pending(file);  // first of all, so that a folder that can't be written costs no simulation
   settle_views({&scene, 1}, settings.drawn_size(), stop);
   std::vector<State> states;

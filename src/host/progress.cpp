@@ -9,6 +9,8 @@
 #include <string_view>
 #include <utility>
 
+#include "host/standard_streams.h"
+
 namespace taut {
 namespace {
 
@@ -76,10 +78,10 @@ void Progress::show(double elapsed) {
 
 void Progress::show(const std::string& text) {
   if (style_ == ProgressStyle::lines) {
-    fmt::print(stream_, "{}\n", text);
+    show_text(stream_, text + "\n");
   } else {
     constexpr std::string_view erase_to_end_of_line = "\x1b[K";
-    fmt::print(stream_, "\r{} {}{}", bar(), text, erase_to_end_of_line);
+    show_text(stream_, fmt::format("\r{} {}{}", bar(), text, erase_to_end_of_line));
     on_line_ = true;
   }
   std::fflush(stream_);
@@ -93,7 +95,7 @@ std::string Progress::bar() const {
 }
 
 void Progress::finish() {
-  if (std::exchange(on_line_, false)) fmt::print(stream_, "\n");
+  if (std::exchange(on_line_, false)) show_text(stream_, "\n");
 }
 
 std::string duration_text(double seconds) {

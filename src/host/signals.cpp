@@ -52,6 +52,12 @@ bool wait_for_news(double seconds) {
 
 }  // namespace
 
+void ignore_write_signals() {
+  struct sigaction action {};
+  action.sa_handler = SIG_IGN;
+  for (const int signal : {SIGXFSZ, SIGPIPE}) ::sigaction(signal, &action, nullptr);
+}
+
 InterruptWatch::InterruptWatch(std::function<void(int)> end_at_once) {
   caught_signal.store(0);
   ::sem_init(&news, 0, 0);

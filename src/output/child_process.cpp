@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <poll.h>
 #include <signal.h>
-#include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -13,6 +13,7 @@
 #include <array>
 #include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <system_error>
 #include <utility>
 
@@ -34,41 +35,105 @@ void close_if_open(int& descriptor) {
   if (descriptor >= 0) ::close(std::exchange(descriptor, -1));
 }
 
-// What a spawned process starts with; freed with the object.
-struct SpawnSetup {
-  posix_spawn_file_actions_t files;
-  posix_spawnattr_t attributes;
+// A pipe, or a pair of sockets; what was not taken out is closed with the object.
+struct Ends {
+  int ours = -1, childs = -1;
 
-  SpawnSetup() {
-    posix_spawn_file_actions_init(&files);
-    posix_spawnattr_init(&attributes);
+  Ends() = default;
+  ~Ends() {
+    close_if_open(ours);
+    close_if_open(childs);
   }
-  ~SpawnSetup() {
-    posix_spawn_file_actions_destroy(&files);
-    posix_spawnattr_destroy(&attributes);
-  }
-  SpawnSetup(const SpawnSetup&) = delete;
-  SpawnSetup& operator=(const SpawnSetup&) = delete;
+  Ends(const Ends&) = delete;
+  Ends& operator=(const Ends&) = delete;
 
-  void connect(int input, int complaints, ChildOutput output) {
-    posix_spawn_file_actions_adddup2(&files, input, STDIN_FILENO);
-    if (output == ChildOutput::nowhere)
-      posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    posix_spawn_file_actions_adddup2(&files, complaints, STDERR_FILENO);
+  // A socket instead of a pipe as the child's input: sending to one whose reader has gone can be told not to
+  // raise SIGPIPE, nor to wait. 0, or the error.
+  int make_sockets() {
+    std::array<int, 2> both{-1, -1};
+    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, both.data()) != 0) return errno;
+    ours = both[0];
+    childs = both[1];
+    return 0;
   }
-
-  // A process group of its own: Ctrl-C is for us, who then decide what becomes of the child.
-  void detach_from_terminal() {
-    sigset_t none, all;
-    sigemptyset(&none);
-    sigfillset(&all);
-    posix_spawnattr_setpgroup(&attributes, 0);
-    posix_spawnattr_setsigmask(&attributes, &none);
-    posix_spawnattr_setsigdefault(&attributes, &all);
-    posix_spawnattr_setflags(&attributes,
-                             POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+  // What the child writes into. 0, or the error.
+  int make_pipe() {
+    std::array<int, 2> both{-1, -1};
+    if (::pipe2(both.data(), O_CLOEXEC) != 0) return errno;
+    ours = both[0];
+    childs = both[1];
+    return 0;
   }
 };
+
+// While it lives no signal is handled in this thread.
+class SignalsHeldBack {
+ public:
+  SignalsHeldBack() {
+    sigset_t all;
+    sigfillset(&all);
+    ::pthread_sigmask(SIG_SETMASK, &all, &before_);
+  }
+  ~SignalsHeldBack() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  SignalsHeldBack(const SignalsHeldBack&) = delete;
+  SignalsHeldBack& operator=(const SignalsHeldBack&) = delete;
+
+ private:
+  sigset_t before_{};
+};
+
+// All that a child needs between fork and exec, made before: there it may call nothing that takes memory or a
+// lock.
+struct Launch {
+  const char* program;
+  char* const* words;
+  int input, complaints, news;  // news: where it says why it could not start
+  ChildOutput output;
+  pid_t parent;
+};
+
+// Signals as a program expects them; but where a file may grow no further it is to be told, and not to be
+// ended without a word, as we are.
+void give_back_signals() {
+  struct sigaction action {};
+  for (int signal = 1; signal < NSIG; ++signal) {
+    action.sa_handler = signal == SIGXFSZ ? SIG_IGN : SIG_DFL;
+    ::sigaction(signal, &action, nullptr);
+  }
+  sigset_t none;
+  sigemptyset(&none);
+  ::sigprocmask(SIG_SETMASK, &none, nullptr);
+}
+
+bool connect(const Launch& launch) {
+  if (::dup2(launch.input, STDIN_FILENO) < 0 || ::dup2(launch.complaints, STDERR_FILENO) < 0) return false;
+  if (launch.output == ChildOutput::ours) return true;
+  const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+  return nowhere >= 0 && ::dup2(nowhere, STDOUT_FILENO) >= 0;
+}
+
+[[noreturn]] void become_child(const Launch& launch) {
+  // However we end, it ends, too; unless we ended already.
+  const bool tied = ::prctl(PR_SET_PDEATHSIG, SIGKILL) == 0 && ::getppid() == launch.parent;
+  // A process group of its own: Ctrl-C is for us, who then decide what becomes of the child.
+  if (tied && ::setpgid(0, 0) == 0 && connect(launch)) {
+    give_back_signals();
+    ::execve(launch.program, launch.words, environ);
+  }
+  const int error = errno;
+  const ssize_t ignored = ::write(launch.news, &error, sizeof error);
+  static_cast<void>(ignored);
+  ::_exit(127);
+}
+
+// What the child says that could not start; 0 once it is another program.
+int start_error(int news) {
+  int error = 0;
+  ssize_t count = 0;
+  while ((count = ::read(news, &error, sizeof error)) < 0 && errno == EINTR) {
+  }
+  return count == sizeof error ? error : 0;
+}
 
 // Reads until the other end closes, and keeps the tail.
 void keep_last(int descriptor, std::string& tail) {
@@ -90,7 +155,7 @@ bool has_ended(pid_t process) {
          end.si_pid != 0;
 }
 
-// Its whole group: a grandchild would go on holding the pipe that is read here.
+// Its whole group, of which it is the first.
 void kill_group(pid_t process) {
   ::kill(-process, SIGKILL);
 }
@@ -104,7 +169,9 @@ ProcessEnd wait_for(pid_t process) {
   rusage usage{};
   while (::wait4(process, &status, 0, &usage) < 0 && errno == EINTR) {
   }
-  return {WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status),
+  const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  return {signal != 0 ? 128 + signal : WEXITSTATUS(status),
+          signal,
           {},
           seconds(usage.ru_utime) + seconds(usage.ru_stime)};
 }
@@ -125,20 +192,18 @@ std::optional<std::filesystem::path> find_program(std::string_view name) {
   }
 }
 
+std::string end_text(const ProcessEnd& end) {
+  if (end.signal == 0) return fmt::format("it ended with status {}", end.status);
+  const char* const words = ::sigdescr_np(end.signal);
+  return words != nullptr ? fmt::format("it was ended by the signal \"{}\"", words)
+                          : fmt::format("it was ended by signal {}", end.signal);
+}
+
 ChildProcess::ChildProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                            ChildOutput output) {
-  // A socket instead of a pipe as its input: sending to one whose reader has gone can be told not to raise
-  // SIGPIPE.
-  std::array<int, 2> input{-1, -1}, complaints{-1, -1};
-  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, input.data()) != 0) cannot_start(program, errno);
-  if (::pipe2(complaints.data(), O_CLOEXEC) != 0) {
-    const int error = errno;
-    for (int& descriptor : input) close_if_open(descriptor);
-    cannot_start(program, error);
-  }
-  input_ = input[0];
-  complaints_ = complaints[0];
-
+  Ends input, complaints, news;
+  for (const int error : {input.make_sockets(), complaints.make_pipe(), news.make_pipe()})
+    if (error != 0) cannot_start(program, error);
   std::vector<std::string> words{program.string()};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
@@ -146,25 +211,47 @@ ChildProcess::ChildProcess(const std::filesystem::path& program, const std::vect
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
 
-  SpawnSetup setup;
-  setup.connect(input[1], complaints[1], output);
-  setup.detach_from_terminal();
-  const int error =
-      ::posix_spawn(&process_, program.c_str(), &setup.files, &setup.attributes, pointers.data(), environ);
-  close_if_open(input[1]);
-  close_if_open(complaints[1]);
-  if (error != 0) {
-    close_if_open(input_);
-    close_if_open(complaints_);
+  const Launch launch{program.c_str(), pointers.data(), input.childs, complaints.childs,
+                      news.childs,     output,          ::getpid()};
+  int fork_error = 0;
+  {
+    const SignalsHeldBack held_back;
+    process_ = ::fork();
+    if (process_ == 0) become_child(launch);
+    if (process_ < 0) fork_error = errno;
+  }
+  if (fork_error != 0) cannot_start(program, fork_error);
+  close_if_open(news.childs);
+  if (const int error = start_error(news.ours); error != 0) {
+    wait_for(std::exchange(process_, -1));
     cannot_start(program, error);
   }
+  watch_over(std::exchange(input.ours, -1), std::exchange(complaints.ours, -1));
+}
+
+void ChildProcess::watch_over(int input, int complaints) {
+  input_ = input;
+  complaints_ = complaints;
   ::shutdown(input_, SHUT_RD);
   is_ended_.emplace([process = process_] {
     kill_group(process);
     siginfo_t end{};
     ::waitid(P_PID, static_cast<id_t>(process), &end, WEXITED | WNOWAIT);  // then it makes no more files
   });
-  reader_ = std::thread(keep_last, complaints_, std::ref(last_lines_));
+  try {
+    reader_ = std::thread(keep_last, complaints_, std::ref(last_lines_));
+  } catch (const std::system_error& problem) {
+    end_unread();
+    throw RunFailure(fmt::format("no thread can be started to read what a program says: {}", problem.what()));
+  }
+}
+
+void ChildProcess::end_unread() {
+  kill_group(process_);
+  is_ended_.reset();
+  wait_for(std::exchange(process_, -1));
+  close_if_open(input_);
+  close_if_open(complaints_);
 }
 
 ChildProcess::~ChildProcess() {
@@ -191,10 +278,11 @@ bool ChildProcess::feed(std::span<const std::byte> bytes, const StopTest& stop) 
 
 ProcessEnd ChildProcess::finish(const StopTest& stop) {
   close_if_open(input_);
-  while (stop && !has_ended(process_)) {
+  while (!has_ended(process_)) {
     stop_if_told(stop);
     ::poll(nullptr, 0, milliseconds_between_looks);
   }
+  kill_group(process_);  // what it left behind would hold the pipe that is read here
   reader_.join();
   close_if_open(complaints_);
   is_ended_.reset();

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/failure.h"
+#include "film_check.h"
 #include "film_format.h"
 
 namespace taut {
@@ -47,6 +48,8 @@ std::vector<std::string> encoder_arguments(const FilmSettings& settings, const F
   if (settings.threads > 0) add("-threads", fmt::format("{}", settings.threads));
   add_words(arguments, settings.transparent ? format.encoder_with_opacity : format.encoder);
   add_words(arguments, target.stream ? format.in_pipe : format.in_file);
+  // What went into a pipe can't be looked at afterwards, so nothing may be passed over.
+  if (target.stream) add("-xerror");
   // The name is no help to ffmpeg: it is a temporary one, or none.
   add("-f", format.ending.substr(1), to);
   return arguments;
@@ -93,7 +96,11 @@ bool goes_to_standard_output(const std::filesystem::path& name) {
 
 Film::Film(const FilmSettings& settings) : name_(checked(settings).file) {
   const FilmTarget target = film_target(settings.file);
-  if (!target.stream) file_.emplace(target.file);
+  ending_ = target.format->ending;
+  if (!target.stream) {
+    sweep_leftovers(target.file.parent_path());
+    file_.emplace(target.file);
+  }
   const std::string to =
       target.is_standard_output()
           ? "pipe:1"
@@ -103,23 +110,28 @@ Film::Film(const FilmSettings& settings) : name_(checked(settings).file) {
 }
 
 void Film::add(const Image& frame, const StopTest& stop) {
-  if (!encoder_->feed(std::as_bytes(std::span(frame.pixels)), stop)) fail(encoder_->finish());
+  if (!encoder_->feed(std::as_bytes(std::span(frame.pixels)), stop)) {
+    const ProcessEnd end = encoder_->finish(stop);
+    fail(end_text(end), end);
+  }
+  ++frames_;
 }
 
 double Film::finish(const StopTest& stop, const std::function<void(const std::filesystem::path&)>& whole) {
   const ProcessEnd end = encoder_->finish(stop);
-  if (end.status != 0) fail(end);
-  if (file_) {
-    if (whole) whole(file_->temporary_name());
-    file_->commit();
-  }
+  if (end.status != 0) fail(end_text(end), end);
+  if (!file_) return end.processor_seconds;
+  // On a full disk it ends with status 0, too.
+  if (const std::string problem = film_problem(file_->temporary_name(), ending_, frames_); !problem.empty())
+    fail(problem, end);
+  if (whole) whole(file_->temporary_name());
+  file_->commit();
   return end.processor_seconds;
 }
 
-void Film::fail(const ProcessEnd& end) const {
-  throw RunFailure(fmt::format("ffmpeg could not make {} (its exit status was {}){}{}", name_.string(),
-                               end.status, end.last_lines.empty() ? "" : "; its last words:\n",
-                               end.last_lines));
+void Film::fail(std::string_view how, const ProcessEnd& end) const {
+  throw RunFailure(fmt::format("ffmpeg could not make {}: {}{}{}", name_.string(), how,
+                               end.last_lines.empty() ? "" : "; its last words:\n", end.last_lines));
 }
 
 }  // namespace taut

@@ -10,6 +10,7 @@
 #include "output/atomic_file.h"
 #include "output/child_process.h"
 #include "output/plot_colour.h"
+#include "output/png_check.h"
 
 namespace taut {
 namespace {
@@ -45,32 +46,49 @@ std::string svg_terminal(Size size) {
       size.width, size.height, font, plot_letters);
 }
 
-// Cells of an image are to stay sharp however large a viewer shows them.
-void keep_images_sharp(const PendingFile& file) {
-  constexpr std::string_view begin = "<image ",
-                             sharp = "style='image-rendering:optimizeSpeed;image-rendering:pixelated' ";
-  std::ifstream stream(file.temporary_name(), std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(stream), {}};
-  stream.close();
-  for (std::size_t at = text.find(begin); at != std::string::npos; at = text.find(begin, at + 1))
-    text.insert(at + begin.size(), sharp);
-  std::ofstream sharpened(file.temporary_name(), std::ios::binary);
-  if (!(sharpened << text << std::flush))
-    throw RunFailure(fmt::format("can't write {}", file.final_name().string()));
-}
-
-void run_gnuplot(const std::string& terminal, const PlotScript& plot, const PendingFile& file) {
+void run_gnuplot(const std::string& terminal, const PlotScript& plot, const PendingFile& file,
+                 const StopTest& stop) {
   const std::string script =
       fmt::format("{}set output {}\n{}{}\nunset output\n", terminal,
                   single_quoted(file.temporary_name().string()), plot_style(), plot.commands);
   // Without the user's own settings: the same plot everywhere.
   ChildProcess gnuplot(gnuplot_program(), {"--default-settings"});
-  const bool fed = gnuplot.feed(std::as_bytes(std::span(script)));
-  const ProcessEnd end = gnuplot.finish();
+  const bool fed = gnuplot.feed(std::as_bytes(std::span(script)), stop);
+  const ProcessEnd end = gnuplot.finish(stop);
   if (fed && end.status == 0) return;
-  throw RunFailure(fmt::format(
-      "gnuplot could not draw {}: {}", file.final_name().string(),
-      end.last_lines.empty() ? fmt::format("it ended with status {}", end.status) : end.last_lines));
+  throw RunFailure(fmt::format("gnuplot could not draw {}: {}", file.final_name().string(),
+                               end.last_lines.empty() ? end_text(end) : end.last_lines));
+}
+
+// On a full disk gnuplot ends with status 0, too.
+[[noreturn]] void not_whole(const PendingFile& file) {
+  throw RunFailure(fmt::format("gnuplot could not draw {}: what it made is cut short or blank",
+                               file.final_name().string()));
+}
+
+void check_png(const PendingFile& file, Size size) {
+  if (!is_whole_png(file.temporary_name(), size) || is_blank_png(file.temporary_name())) not_whole(file);
+}
+
+void check_svg(const PendingFile& file, std::string_view text) {
+  const std::size_t end = text.find_last_not_of(" \n");
+  const bool whole = text.substr(0, end == std::string_view::npos ? 0 : end + 1).ends_with("</svg>");
+  const bool drawn = text.find("<path ") != std::string_view::npos;
+  if (!whole || !drawn) not_whole(file);
+}
+
+// Cells of an image are to stay sharp however large a viewer shows them.
+std::string with_sharp_images(std::string text) {
+  constexpr std::string_view begin = "<image ",
+                             sharp = "style='image-rendering:optimizeSpeed;image-rendering:pixelated' ";
+  for (std::size_t at = text.find(begin); at != std::string::npos; at = text.find(begin, at + 1))
+    text.insert(at + begin.size(), sharp);
+  return text;
+}
+
+std::string read_text(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 }  // namespace
@@ -104,11 +122,14 @@ void require_gnuplot() {
   gnuplot_program();
 }
 
-void write_plot(const PlotScript& plot, const std::filesystem::path& stem) {
+void write_plot(const PlotScript& plot, const std::filesystem::path& stem, const StopTest& stop) {
   PendingFile png(stem.string() + ".png"), svg(stem.string() + ".svg");
-  run_gnuplot(png_terminal(plot.size), plot, png);
-  run_gnuplot(svg_terminal(plot.size), plot, svg);
-  keep_images_sharp(svg);
+  run_gnuplot(png_terminal(plot.size), plot, png, stop);
+  check_png(png, plot.size);
+  run_gnuplot(svg_terminal(plot.size), plot, svg, stop);
+  const std::string drawing = read_text(svg.temporary_name());
+  check_svg(svg, drawing);
+  svg.replace(with_sharp_images(drawing));
   png.commit();
   svg.commit();
 }

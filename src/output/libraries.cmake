@@ -1,11 +1,12 @@
 # External packages that only taut_output uses.
 pkg_check_modules(ISAL REQUIRED IMPORTED_TARGET libisal)
-find_path(TAUT_STB_WRITE_INCLUDE stb_image_write.h PATH_SUFFIXES stb REQUIRED)
+find_path(TAUT_STB_WRITE_INCLUDE NAMES stb_image_write.h stb_image.h PATH_SUFFIXES stb REQUIRED)
 target_link_libraries(taut_output PRIVATE PkgConfig::ISAL nlohmann_json::nlohmann_json)
 target_include_directories(taut_output SYSTEM PRIVATE ${TAUT_STB_WRITE_INCLUDE})
 
 # stb brings its own names and settings.
-set_source_files_properties(${CMAKE_CURRENT_SOURCE_DIR}/output/png.cpp ${CMAKE_CURRENT_SOURCE_DIR}/output/png_read.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+set_source_files_properties(${CMAKE_CURRENT_SOURCE_DIR}/output/png.cpp ${CMAKE_CURRENT_SOURCE_DIR}/output/png_read.cpp
+                            PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 
 # Beside loops over pixels, the one file of templates that would take long to optimise.
 set_source_files_properties(${CMAKE_CURRENT_SOURCE_DIR}/output/manifest.cpp

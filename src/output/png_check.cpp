@@ -1,9 +1,15 @@
 #include "output/png_check.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <fstream>
+#include <optional>
 #include <string_view>
+
+#include "base/failure.h"
+#include "output/content_hash.h"
+#include "output/png_read.h"
 
 namespace taut {
 namespace {
@@ -34,6 +40,18 @@ bool is_whole_png(const std::filesystem::path& file, Size size) {
          std::string_view(tail.data(), tail.size()) == ending &&
          number_at(head.data() + beginning.size()) == size.width &&
          number_at(head.data() + beginning.size() + 4) == size.height;
+}
+
+bool is_blank_png(const std::filesystem::path& file) {
+  const std::optional<std::string> bytes = bytes_of_file(file);
+  if (!bytes) return true;
+  try {
+    const Image image = decode_png(*bytes, file);
+    // Alike with its neighbour, each.
+    return std::equal(image.pixels.begin() + image.channels, image.pixels.end(), image.pixels.begin());
+  } catch (const RunFailure&) {
+    return true;
+  }
 }
 
 }  // namespace taut

@@ -118,19 +118,19 @@ ChartFigure figure_of(const Chart& chart, ErrorKind kind, ChartCost cost) {
 
 }  // namespace
 
-void write_chart(const Chart& chart, const std::filesystem::path& folder) {
+void write_chart(const Chart& chart, const std::filesystem::path& folder, const StopTest& stop) {
   make_folder(folder);
   write_file(folder / (chart.scene + ".json"), chart_json(chart));
   write_file(folder / (chart.scene + ".csv"), chart_csv(chart));
-  draw_chart(chart, folder);
+  draw_chart(chart, folder, stop);
 }
 
-void draw_chart(const Chart& chart, const std::filesystem::path& folder) {
+void draw_chart(const Chart& chart, const std::filesystem::path& folder, const StopTest& stop) {
   for (const ErrorKind kind : chart.errors)
     for (const ChartCost cost : {ChartCost::seconds, ChartCost::link_solves}) {
       const std::string stem =
           fmt::format("{}-{}{}", chart.scene, name_of(kind), cost == ChartCost::seconds ? "" : "-solves");
-      write_plot(figure_script(figure_of(chart, kind, cost)), folder / stem);
+      write_plot(figure_script(figure_of(chart, kind, cost)), folder / stem, stop);
       write_file(folder / (stem + ".txt"), chart_caption(chart, kind, cost, stem));
     }
 }

@@ -80,13 +80,13 @@ std::string sag_json(const Scene& scene, const SagStudy& study) {
 }
 
 void write_sag_files(const Scene& scene, const SagStudy& study, const PictureSettings& settings,
-                     const std::filesystem::path& folder) {
+                     const std::filesystem::path& folder, const StopTest& stop) {
   make_folder(folder);
   write_file(folder / "sag.csv", csv_table(study));
   write_file(folder / "sag.json", sag_json(scene, study));
   const std::vector<std::uint8_t> png = encode_png(sag_sheet(scene, study, settings));
   write_file(folder / "sag.png", std::as_bytes(std::span(png)));
-  write_plot(sag_plot(scene, study), folder / "sag-over-passes");
+  write_plot(sag_plot(scene, study), folder / "sag-over-passes", stop);
 }
 
 }  // namespace taut

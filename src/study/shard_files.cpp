@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "base/failure.h"
+#include "output/atomic_file.h"
 
 namespace taut {
 
@@ -47,7 +48,7 @@ std::vector<fs::path> shard_files(const fs::path& file) {
 void take_over_shards(CaseStore& store, const fs::path& file, std::string_view inputs, bool overwrite) {
   for (const fs::path& left : shard_files(file)) {
     if (overwrite) {
-      fs::remove(left);
+      remove_file(left);
       continue;
     }
     const CaseStore cases(left, inputs, false);

@@ -123,15 +123,16 @@ std::string stability_json(const StabilityMaps& maps, const Scene& scene) {
   return json.dump(1) + "\n";
 }
 
-void write_stability_files(const StabilityMaps& maps, const Scene& scene,
-                           const std::filesystem::path& folder) {
+void write_stability_files(const StabilityMaps& maps, const Scene& scene, const std::filesystem::path& folder,
+                           const StopTest& stop) {
   make_folder(folder);
   write_file(folder / "cells.csv", cells_csv(maps));
   write_file(folder / "edges.csv", edges_csv(maps));
   write_file(folder / "maps.json", stability_json(maps, scene));
   const MapHeading heading = heading_of(maps, scene);
-  for (const MethodMap& map : maps.maps) write_plot(map_plot(maps, map, heading), folder / file_name(map));
-  write_plot(overview_plot(maps, heading), folder / "overview");
+  for (const MethodMap& map : maps.maps)
+    write_plot(map_plot(maps, map, heading), folder / file_name(map), stop);
+  write_plot(overview_plot(maps, heading), folder / "overview", stop);
   write_file(folder / "overview.txt", caption_of(maps, scene));
 }
 

@@ -1,10 +1,15 @@
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <cstdlib>
 #include <string>
 #include <vector>
 
 #include "base/failure.h"
 #include "output/child_process.h"
+#include "temporary_folder.h"
 
 namespace taut {
 namespace {
@@ -53,6 +58,58 @@ TEST(ChildProcess, ThatSaysALotIsNotHeldUp) {
 TEST(ChildProcess, EndsWithItsObject) {
   { const ChildProcess process("/bin/sh", {"-c", "sleep 600"}); }
   SUCCEED() << "it would have taken ten minutes";
+}
+
+TEST(ChildProcess, SaysWhichSignalEndedIt) {
+  ChildProcess process("/bin/sh", {"-c", "kill -XFSZ $$; exit 3"});
+  EXPECT_EQ(end_text(process.finish()), "it ended with status 3") << "that one is left to the program";
+  ChildProcess killed("/bin/sh", {"-c", "kill -KILL $$"});
+  EXPECT_EQ(end_text(killed.finish()), "it was ended by the signal \"Killed\"");
+}
+
+// A grandchild that holds the pipe which is read until its end.
+TEST(ChildProcess, IsNotWaitedForLongerThanItLives) {
+  ChildProcess process("/bin/sh", {"-c", "echo first >&2; sleep 600 & exit 3"});
+  const ProcessEnd end = process.finish();
+  EXPECT_EQ(end.status, 3);
+  EXPECT_EQ(end.last_lines, "first\n");
+}
+
+TEST(ChildProcess, ThatHangsIsLeftWhenToldToStop) {
+  ChildProcess process("/bin/sh", {"-c", "sleep 600"});
+  int asked = 0;
+  EXPECT_THROW(process.finish([&] { return ++asked > 3; }), Interrupted);
+  ChildProcess deaf("/bin/sh", {"-c", "sleep 600"});
+  const std::vector<std::byte> much(10'000'000);
+  asked = 0;
+  EXPECT_THROW(deaf.feed(much, [&] { return ++asked > 10; }), Interrupted);
+}
+
+// Whether a process runs: one that has ended and is waited for does not.
+bool runs(const std::string& process) {
+  const std::string status = testing::read_file("/proc/" + process + "/stat");
+  return !status.empty() && status.find(") Z ") == std::string::npos;
+}
+
+TEST(ChildProcess, DiesWithAProcessThatIsKilled) {
+  const testing::TemporaryFolder folder;
+  const std::string file = folder / "child";
+  const pid_t parent = ::fork();
+  if (parent == 0) {
+    const ChildProcess process(
+        "/bin/sh", {"-c", "echo $$ >" + file + ".new; mv " + file + ".new " + file + "; exec sleep 600"});
+    ::pause();
+    std::_Exit(0);
+  }
+  std::string child;
+  for (int i = 0; i < 1000 && child.empty(); ++i, ::usleep(10000)) child = testing::read_file(file);
+  ASSERT_FALSE(child.empty());
+  child.pop_back();
+  EXPECT_TRUE(runs(child));
+  ::kill(parent, SIGKILL);
+  ::waitpid(parent, nullptr, 0);
+  for (int i = 0; i < 1000 && runs(child); ++i) ::usleep(10000);
+  EXPECT_FALSE(runs(child));
 }
 
 TEST(ChildProcess, SaysWhyItCannotStart) {

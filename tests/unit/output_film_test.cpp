@@ -4,6 +4,7 @@
 
 #include "base/failure.h"
 #include "output/film.h"
+#include "program_on_the_path.h"
 #include "temporary_folder.h"
 
 namespace taut {
@@ -52,6 +53,40 @@ TEST(Film, AnAbandonedOneLeavesNothing) {
     film.add(Image::blank({64, 48}, 3));
   }
   EXPECT_EQ(folder.entries(), 0U);
+}
+
+// What making a film throws when the encoder is that script.
+std::string failure_with_encoder(const std::string& script) {
+  const testing::TemporaryFolder programs, folder;
+  testing::write_program(programs, "ffmpeg", script);
+  const testing::FirstOnThePath path(programs);
+  folder.write("a.mp4", "before");
+  std::string failure = "no failure";
+  try {
+    Film film({folder / "a.mp4", {64, 48}, {30}, false});
+    for (int i = 0; i < 3; ++i) film.add(Image::blank({64, 48}, 3));
+    film.finish();
+  } catch (const RunFailure& problem) {
+    failure = problem.what();
+    failure.replace(failure.find(folder.path().string()), folder.path().string().size(), "FOLDER");
+  }
+  EXPECT_EQ(testing::read_file(folder / "a.mp4"), "before");
+  EXPECT_EQ(folder.entries(), 1U);
+  return failure;
+}
+
+TEST(Film, AnEncoderIsNotBelievedThatSaysAllIsWell) {
+  EXPECT_EQ(failure_with_encoder("cat >/dev/null"), "ffmpeg could not make FOLDER/a.mp4: it is empty");
+  EXPECT_EQ(failure_with_encoder("cat >/dev/null; for last; do :; done; echo film >\"${last#file:}\""),
+            "ffmpeg could not make FOLDER/a.mp4: it is no MP4 film");
+}
+
+TEST(Film, HowAnEncoderEndedIsSaidInWords) {
+  EXPECT_EQ(failure_with_encoder("cat >/dev/null; exit 7"),
+            "ffmpeg could not make FOLDER/a.mp4: it ended with status 7");
+  EXPECT_EQ(failure_with_encoder("cat >/dev/null; echo 'good bye' >&2; kill -SEGV $$"),
+            "ffmpeg could not make FOLDER/a.mp4: it was ended by the signal \"Segmentation fault\"; its last "
+            "words:\ngood bye\n");
 }
 
 }  // namespace

@@ -5,7 +5,9 @@
 
 #include "base/failure.h"
 #include "output/gnuplot.h"
+#include "output/png.h"
 #include "output/png_check.h"
+#include "program_on_the_path.h"
 #include "temporary_folder.h"
 
 namespace taut {
@@ -33,6 +35,69 @@ TEST(Gnuplot, AFailureIsQuotedAndLeavesNothing) {
     EXPECT_NE(std::string(failure.what()).find("undefined function: no_such_function"), std::string::npos)
         << failure.what();
   }
+  EXPECT_EQ(folder.entries(), 0U);
+}
+
+// What drawing a plot throws when gnuplot is a script that knows, as $out, what it is to write.
+std::string failure_with_gnuplot(const std::string& script) {
+  const TemporaryFolder programs, folder;
+  testing::write_program(programs, "gnuplot", "out=$(sed -n \"s/^set output '\\(.*\\)'/\\1/p\")\n" + script);
+  const testing::FirstOnThePath path(programs);
+  folder.write("plot.png", "before");
+  folder.write("plot.svg", "before");
+  std::string failure = "no failure";
+  try {
+    write_plot({"plot x\n", {40, 30}}, folder / "plot");
+  } catch (const RunFailure& problem) {
+    failure = problem.what();
+    failure.replace(failure.find(folder.path().string()), folder.path().string().size(), "FOLDER");
+  }
+  EXPECT_EQ(read_file(folder / "plot.png"), "before");
+  EXPECT_EQ(read_file(folder / "plot.svg"), "before");
+  EXPECT_EQ(folder.entries(), 2U);
+  return failure;
+}
+
+constexpr const char* png_is_bad =
+    "gnuplot could not draw FOLDER/plot.png: what it made is cut short or blank";
+constexpr const char* svg_is_bad =
+    "gnuplot could not draw FOLDER/plot.svg: what it made is cut short or blank";
+
+TEST(Gnuplot, IsNotBelievedThatSaysAllIsWell) {
+  EXPECT_EQ(failure_with_gnuplot("exit 0"), png_is_bad);
+  EXPECT_EQ(failure_with_gnuplot("echo picture >\"$out\""), png_is_bad);
+}
+
+TEST(Gnuplot, APngThatIsCutOrBlankIsNone) {
+  const TemporaryFolder folder;
+  Image image = Image::blank({40, 30}, 3);
+  const auto write = [&](const std::string& name, std::size_t left_out) {
+    std::vector<std::uint8_t> png = encode_png(image);
+    return folder.write(name, {png.begin(), png.end() - static_cast<std::ptrdiff_t>(left_out)});
+  };
+  const std::string blank = write("blank.png", 0);
+  image.pixels[100] = 77;
+  const std::string drawn = write("drawn.png", 0), cut = write("cut.png", 3);
+  const auto copy = [](const std::string& file) {
+    return "case $out in *png*) cp " + file + " \"$out\";; esac";
+  };
+  EXPECT_EQ(failure_with_gnuplot(copy(blank)), png_is_bad);
+  EXPECT_EQ(failure_with_gnuplot(copy(cut)), png_is_bad);
+  EXPECT_EQ(failure_with_gnuplot(copy(drawn)), svg_is_bad);
+  for (const std::string svg :
+       {"<svg><path d=\"M0,0\"/>", "<svg><g></g></svg>", "<svg><path d=\"M0,0\"/></svg><!--"})
+    EXPECT_EQ(failure_with_gnuplot(copy(drawn) + "\ncase $out in *svg*) echo '" + svg + "' >\"$out\";; esac"),
+              svg_is_bad)
+        << svg;
+}
+
+TEST(Gnuplot, ThatHangsIsEndedWhenToldToStop) {
+  const TemporaryFolder programs, folder;
+  testing::write_program(programs, "gnuplot", "sleep 600");
+  const testing::FirstOnThePath path(programs);
+  EXPECT_THROW(write_plot({"plot x\n"}, folder / "plot", [] { return true; }), Interrupted);
+  int asked = 0;
+  EXPECT_THROW(write_plot({"plot x\n"}, folder / "plot", [&] { return ++asked > 5; }), Interrupted);
   EXPECT_EQ(folder.entries(), 0U);
 }
 

@@ -5,6 +5,10 @@
 
 namespace taut {
 
+/// A file that may not grow further and a reader that has gone make writing fail, with a reason that can be
+/// told, instead of ending the process without a word.
+void ignore_write_signals();
+
 /// While it lives, the first SIGINT or SIGTERM does not end the process but is remembered, so that what is
 /// being made can be brought to a whole end; the second one ends it as usual. At most one at a time.
 class InterruptWatch {

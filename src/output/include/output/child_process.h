@@ -22,15 +22,19 @@ std::optional<std::filesystem::path> find_program(std::string_view name);
 /// How a child process ended and the last of what it said on its standard error.
 struct ProcessEnd {
   int status = 0;          ///< exit status; 128 + signal when a signal ended it
+  int signal = 0;          ///< that ended it; 0: none did
   std::string last_lines;  ///< at most the last 2,000 characters
   double processor_seconds = 0.0;
 };
+
+/// How it ended, for people: "it ended with status 3", or the signal in words.
+std::string end_text(const ProcessEnd& end);
 
 /// Where a child's standard output goes.
 enum class ChildOutput { nowhere, ours };
 
 /// A program run without a shell, fed through its standard input. Ended and waited for when the object goes
-/// away.
+/// away; ended by the system when the thread that made the object ends, and so when the process is killed.
 class ChildProcess {
  public:
   /// Starts the program. Throws RunFailure with the system's reason when it can't.
@@ -46,6 +50,9 @@ class ChildProcess {
   ProcessEnd finish(const StopTest& stop = {});
 
  private:
+  void watch_over(int input, int complaints);
+  void end_unread();
+
   pid_t process_ = -1;
   int input_ = -1;
   int complaints_ = -1;

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "base/frame_rate.h"
 #include "base/image.h"
@@ -40,18 +41,21 @@ class Film {
   /// Adds the next frame, of the size set. Throws RunFailure with the encoder's last lines when it gave
   /// up, and Interrupted.
   void add(const Image& frame, const StopTest& stop = {});
-  /// Waits for the encoder and gives the film its name; just before, `whole` is told the temporary one.
+  /// Waits for the encoder, looks whether the film is whole and has all frames that were added, and gives it
+  /// its name; just before, `whole` is told the temporary one. What goes into a pipe can't be looked at.
   /// Returns the processor time (s) that the encoder took. Throws RunFailure with the encoder's last lines,
   /// and Interrupted.
   double finish(const StopTest& stop = {},
                 const std::function<void(const std::filesystem::path&)>& whole = {});
 
  private:
-  [[noreturn]] void fail(const ProcessEnd& end) const;
+  [[noreturn]] void fail(std::string_view how, const ProcessEnd& end) const;
 
   std::filesystem::path name_;
   std::optional<PendingFile> file_;  // absent where it goes into a pipe
   std::optional<ChildProcess> encoder_;
+  std::string_view ending_;  // of its format
+  std::size_t frames_ = 0;
 };
 
 /// Throws RunFailure when the program that encodes films is not installed.

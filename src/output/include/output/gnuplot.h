@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "base/image.h"
+#include "base/stop.h"
 
 namespace taut {
 
@@ -29,8 +30,8 @@ std::string plot_style();
 /// Throws RunFailure when gnuplot is not installed: to be asked before work whose result is to be plotted.
 void require_gnuplot();
 
-/// Runs gnuplot twice, for `stem`.png and `stem`.svg; either both are there, complete, or both as they were.
-/// Throws RunFailure with gnuplot's own words.
-void write_plot(const PlotScript& plot, const std::filesystem::path& stem);
+/// Runs gnuplot twice, for `stem`.png and `stem`.svg, and looks whether both are whole and show something
+/// before either gets its name. Throws RunFailure with gnuplot's own words, and Interrupted.
+void write_plot(const PlotScript& plot, const std::filesystem::path& stem, const StopTest& stop = {});
 
 }  // namespace taut

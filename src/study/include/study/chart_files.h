@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/stop.h"
 #include "study/chart.h"
 
 namespace taut {
@@ -19,12 +20,14 @@ Chart chart_from_json(const std::string& text, const std::string& file);
 /// solves, least times.
 std::string chart_csv(const Chart& chart);
 
-/// Writes <scene>.json and <scene>.csv into a folder, and its pictures. Throws RunFailure.
-void write_chart(const Chart& chart, const std::filesystem::path& folder);
+/// Writes <scene>.json and <scene>.csv into a folder, and its pictures. Throws RunFailure, and
+/// Interrupted.
+void write_chart(const Chart& chart, const std::filesystem::path& folder, const StopTest& stop = {});
 
 /// Draws a chart for every kind of error: <scene>-<error>.png and .svg (time) and <scene>-<error>-solves.png
-/// and .svg (link solves) into a folder, each with its caption beside it, as .txt. Throws RunFailure.
-void draw_chart(const Chart& chart, const std::filesystem::path& folder);
+/// and .svg (link solves) into a folder, each with its caption beside it, as .txt. Throws
+/// RunFailure, and Interrupted.
+void draw_chart(const Chart& chart, const std::filesystem::path& folder, const StopTest& stop = {});
 
 /// Writes chart.html, one page with all charts in it. Throws RunFailure.
 void write_chart_page(const std::vector<Chart>& charts, const std::filesystem::path& folder);
