@@ -257,18 +257,25 @@ void Pipeline::serve(Lane& lane) {
 void Pipeline::run_stages(PanelRuns& runs, PanelPainter& painter) {
   const double rasterised_before = seconds_of_threads(rasteriser_threads);
   std::vector<std::thread> moving, finishing, serving;
-  moving.emplace_back([&] {
-    step_failure_.watch([&] { simulate(runs); });
-    posed_.close();
+  // The system may give no more threads. Then those there are find that something failed, and end.
+  failure_.watch([&] {
+    for (Lane& lane : lanes_) serving.emplace_back([&] { serve(lane); });
+    for (int i = 0; i < thread_budget(request_.cores).finishing; ++i)
+      finishing.emplace_back([&] { finish_frames(painter); });
+    moving.emplace_back([&] {
+      failure_.watch([&] { shape(painter); });
+      posed_.close();
+      shaped_.close();
+    });
+    moving.emplace_back([&] {
+      step_failure_.watch([&] { simulate(runs); });
+      posed_.close();
+    });
   });
-  moving.emplace_back([&] {
-    failure_.watch([&] { shape(painter); });
+  if (failure_.any()) {
     posed_.close();
     shaped_.close();
-  });
-  for (int i = 0; i < thread_budget(request_.cores).finishing; ++i)
-    finishing.emplace_back([&] { finish_frames(painter); });
-  for (Lane& lane : lanes_) serving.emplace_back([&] { serve(lane); });
+  }
 
   failure_.watch([&] { draw(painter); });
   const auto join = [](std::vector<std::thread>& threads) {
@@ -323,9 +330,14 @@ void Pipeline::finish(std::optional<Film>& film) {
   if (film && whole) {
     failure_.watch([&] {
       unless_stopped([&] { clock_.add(Stage::encode, film->finish(told_to_stop_)); });
-      if (stopped_ || is_film_stream(*request_.film)) return;
-      job_.film.bytes = size_of_file(*request_.film);
-      if (job_.folder) job_.folder->add_film(job_.film);
+      if (stopped_) return;
+      job_.film.bytes = film->bytes();
+      // Known before it has its name: a film that nothing speaks of would stand in the way of the next run.
+      if (job_.folder && !is_film_stream(*request_.film)) {
+        job_.folder->add_film(job_.film);
+        job_.folder->save();
+      }
+      film->commit();
     });
   }
   if (job_.folder && !outcome_.panels.empty()) {

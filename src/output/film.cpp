@@ -124,8 +124,15 @@ double Film::finish(const StopTest& stop) {
   // On a full disk it ends with status 0, too.
   if (const std::string problem = film_problem(file_->temporary_name(), ending_, frames_); !problem.empty())
     fail(problem, end);
-  file_->commit();
   return end.processor_seconds;
+}
+
+std::uintmax_t Film::bytes() const {
+  return file_ ? size_of_file(file_->temporary_name()) : 0;
+}
+
+void Film::commit() {
+  if (file_) file_->commit();
 }
 
 void Film::fail(std::string_view how, const ProcessEnd& end) const {

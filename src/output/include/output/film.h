@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -29,7 +30,7 @@ bool goes_to_standard_output(const std::filesystem::path& name);
 /// Throws BadRequest when the format does not exist or can't hold films of that size or with transparency.
 void check_film_settings(const FilmSettings& settings);
 
-/// A film that grows frame by frame, encoded by ffmpeg while it grows. It gets its name only when finished;
+/// A film that grows frame by frame, encoded by ffmpeg while it grows. It gets its name only at the end;
 /// until then nothing of that name is touched. Into a pipe it goes as it grows.
 class Film {
  public:
@@ -40,10 +41,14 @@ class Film {
   /// Adds the next frame, of the size set. Throws RunFailure with the encoder's last lines when it gave
   /// up, and Interrupted.
   void add(const Image& frame, const StopTest& stop = {});
-  /// Waits for the encoder, looks whether the film is whole and has all frames that were added, and gives it
-  /// its name; what goes into a pipe can't be looked at. Returns the processor time (s) that the encoder
-  /// took. Throws RunFailure with the encoder's last lines, and Interrupted.
+  /// Waits for the encoder, and looks whether the film is whole and has all frames that were added; what goes
+  /// into a pipe can't be looked at. Returns the processor time (s) that the encoder took. Throws RunFailure
+  /// with the encoder's last lines, and Interrupted.
   double finish(const StopTest& stop = {});
+  /// How large a finished film is; 0 for what went into a pipe. Throws RunFailure.
+  std::uintmax_t bytes() const;
+  /// Gives a finished film its name. Throws RunFailure with the system's reason.
+  void commit();
 
  private:
   [[noreturn]] void fail(std::string_view how, const ProcessEnd& end) const;
