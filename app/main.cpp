@@ -5,6 +5,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <system_error>
 
 #include "base/failure.h"
 #include "command_line.h"
@@ -34,6 +35,9 @@ int carry_out(const Action& action) {
     return fail(problem.what(), exit_bad_request);
   } catch (const OutputConflict& problem) {
     return fail(problem.what(), exit_conflict);
+  } catch (const std::system_error& problem) {
+    const bool threads = problem.code() == std::errc::resource_unavailable_try_again;
+    return fail(threads ? "this machine gives no more threads" : problem.what(), exit_failed);
   } catch (const std::bad_alloc&) {
     return fail("this machine has not enough memory for that", exit_failed);
   } catch (const std::exception& problem) {

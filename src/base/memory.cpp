@@ -1,14 +1,28 @@
 #include "base/memory.h"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <fstream>
+#include <limits>
 
 namespace taut {
 
 double physical_memory() {
   return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+double room_for_addresses() {
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
+    return std::numeric_limits<double>::infinity();
+  double pages_taken = 0.0;
+  std::ifstream("/proc/self/statm") >> pages_taken;
+  return std::max(
+      0.0, static_cast<double>(limit.rlim_cur) - pages_taken * static_cast<double>(sysconf(_SC_PAGESIZE)));
 }
 
 std::string format_bytes(double bytes) {

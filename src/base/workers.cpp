@@ -21,10 +21,19 @@ void wait_for_change(std::atomic<Value>& value, Value old) {
 
 Workers::Workers(int count)
     : next_part_(static_cast<std::uint64_t>(count)), left_in_phase_(pieces_of_a_trial) {
-  for (int part = 1; part < count; ++part) threads_.emplace_back([this, count] { serve(count); });
+  try {
+    for (int part = 1; part < count; ++part) threads_.emplace_back([this, count] { serve(count); });
+  } catch (...) {  // the system gives no more threads
+    end_threads();
+    throw;
+  }
 }
 
 Workers::~Workers() {
+  end_threads();
+}
+
+void Workers::end_threads() {
   ends_.store(true);
   pieces_.fetch_add(1, std::memory_order_release);
   pieces_.notify_all();

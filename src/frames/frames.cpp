@@ -97,9 +97,11 @@ void begin_film(std::optional<Film>& film, const FilmSettings& settings) {
 // The manifest knows the film before it has its name: whatever moment the program ends at, no film stands
 // there that nothing is known of.
 void finish_film(Film& film, RenderJob& job, StageClock& clock, const StopTest& stop) {
-  clock.add(Stage::encode,
-            film.finish(stop, [&](const std::filesystem::path& temporary) { job.record_film(temporary); }));
-  if (!is_film_stream(job.film_file)) job.keep_film();
+  clock.add(Stage::encode, film.finish(stop));
+  if (is_film_stream(job.film_file)) return;
+  job.record_film(film.file());
+  film.commit();
+  job.keep_film();
 }
 
 // One run from scene to frames. Each stage hands on to the next through a queue; whoever ends closes the
@@ -292,18 +294,25 @@ void Pipeline::serve(Lane& lane) {
 void Pipeline::run_stages(PanelRuns& runs, PanelPainter& painter) {
   const double rasterised_before = seconds_of_threads(rasteriser_threads);
   std::vector<std::thread> moving, finishing, serving;
-  moving.emplace_back([&] {
-    step_failure_.watch([&] { simulate(runs); });
-    posed_.close();
+  // The system may give no more threads. Then those there are find that something failed, and end.
+  failure_.watch([&] {
+    for (Lane& lane : lanes_) serving.emplace_back([&] { serve(lane); });
+    for (int i = 0; i < thread_budget(request_.cores).finishing; ++i)
+      finishing.emplace_back([&] { finish_frames(painter); });
+    moving.emplace_back([&] {
+      failure_.watch([&] { shape(painter); });
+      posed_.close();
+      shaped_.close();
+    });
+    moving.emplace_back([&] {
+      step_failure_.watch([&] { simulate(runs); });
+      posed_.close();
+    });
   });
-  moving.emplace_back([&] {
-    failure_.watch([&] { shape(painter); });
+  if (failure_.any()) {
     posed_.close();
     shaped_.close();
-  });
-  for (int i = 0; i < thread_budget(request_.cores).finishing; ++i)
-    finishing.emplace_back([&] { finish_frames(painter); });
-  for (Lane& lane : lanes_) serving.emplace_back([&] { serve(lane); });
+  }
 
   failure_.watch([&] { draw(painter); });
   const auto join = [](std::vector<std::thread>& threads) {

@@ -89,13 +89,12 @@ void make_film(FrameFolder& folder, const fs::path& into, const fs::path& file, 
     }
     film->add(image, stop);
   }
-  FilmRecord made;
-  film->finish(stop, [&](const fs::path& temporary) {
-    made = film_record(name, frames, temporary);
-    folder.add_film(made);
-    folder.save();
-  });
+  film->finish(stop);
   if (is_film_stream(file)) return;
+  const FilmRecord made = film_record(name, frames, film->file());
+  folder.add_film(made);
+  folder.save();
+  film->commit();
   folder.keep_only(made);
   folder.save();
 }

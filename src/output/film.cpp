@@ -117,16 +117,22 @@ void Film::add(const Image& frame, const StopTest& stop) {
   ++frames_;
 }
 
-double Film::finish(const StopTest& stop, const std::function<void(const std::filesystem::path&)>& whole) {
+double Film::finish(const StopTest& stop) {
   const ProcessEnd end = encoder_->finish(stop);
   if (end.status != 0) fail(end_text(end), end);
   if (!file_) return end.processor_seconds;
   // On a full disk it ends with status 0, too.
   if (const std::string problem = film_problem(file_->temporary_name(), ending_, frames_); !problem.empty())
     fail(problem, end);
-  if (whole) whole(file_->temporary_name());
-  file_->commit();
   return end.processor_seconds;
+}
+
+std::filesystem::path Film::file() const {
+  return file_ ? file_->temporary_name() : std::filesystem::path();
+}
+
+void Film::commit() {
+  if (file_) file_->commit();
 }
 
 void Film::fail(std::string_view how, const ProcessEnd& end) const {

@@ -31,6 +31,7 @@ void make_film(const std::string& file, std::size_t count, bool transparent = fa
   Film film({file, {64, 48}, {30}, transparent});
   for (std::size_t i = 0; i < count; ++i) film.add(noise(i, transparent ? 4 : 3));
   film.finish();
+  film.commit();
 }
 
 class FilmCheckTest : public ::testing::TestWithParam<const char*> {};
@@ -93,6 +94,7 @@ TEST(FilmCheck, FramesThatAreAlikeAreCounted) {
     Film film({file, {64, 48}, {30}, false});
     for (std::size_t i = 0; i < 40; ++i) film.add(noise(0, 3));
     film.finish();
+    film.commit();
     EXPECT_EQ(film_problem(file, ending, 40), "") << ending;
   }
 }

@@ -66,6 +66,7 @@ std::string failure_with_encoder(const std::string& script) {
     Film film({folder / "a.mp4", {64, 48}, {30}, false});
     for (int i = 0; i < 3; ++i) film.add(Image::blank({64, 48}, 3));
     film.finish();
+    film.commit();
   } catch (const RunFailure& problem) {
     failure = problem.what();
     failure.replace(failure.find(folder.path().string()), folder.path().string().size(), "FOLDER");

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <thread>
 
 #include "base/failure.h"
+#include "base/memory.h"
 #include "gl/gl.h"
 #include "gl/gl_backends.h"
 
@@ -26,6 +28,17 @@ std::string known_backends() {
   std::string names;
   for (const Backend& backend : backends) names += (names.empty() ? "" : ", ") + std::string(backend.name);
   return names;
+}
+
+// Mesa and the compiler in it don't survive that there are no more addresses, so there have to be enough
+// before they are begun with: for themselves, and for the stack and the heap of each thread that draws.
+void require_room_to_draw() {
+  constexpr double for_all = 600e6, for_a_thread = 100e6;  // bytes
+  const double threads = std::clamp(std::thread::hardware_concurrency(), 1U, 32U);
+  const double needed = for_all + for_a_thread * threads, room = room_for_addresses();
+  if (room < needed)
+    throw RunFailure("there is not enough memory to draw: OpenGL may take " + format_bytes(needed) +
+                     ", and the limit of this process (ulimit -v) leaves " + format_bytes(room));
 }
 
 GlDevice tried(const GlChoice& choice) {
@@ -69,6 +82,7 @@ std::optional<GlChoice> gl_choice_named(std::string_view name) {
 }
 
 std::unique_ptr<GlContext> make_gl_context(const GlChoice& choice) {
+  require_room_to_draw();
   std::string reasons;
   for (const Backend& backend : backends) {
     if (choice.backend != GlBackend::automatic && choice.backend != backend.backend) continue;

@@ -37,6 +37,7 @@ class Workers {
 
   void run(const void* task, Call call);
   void run_together();
+  void end_threads();
   void run_alone() const;
   void next_phase();
   void serve(int count);

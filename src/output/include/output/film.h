@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,7 +29,7 @@ bool goes_to_standard_output(const std::filesystem::path& name);
 /// Throws BadRequest when the format does not exist or can't hold films of that size or with transparency.
 void check_film_settings(const FilmSettings& settings);
 
-/// A film that grows frame by frame, encoded by ffmpeg while it grows. It gets its name only when finished;
+/// A film that grows frame by frame, encoded by ffmpeg while it grows. It gets its name only at the end;
 /// until then nothing of that name is touched. Into a pipe it goes as it grows.
 class Film {
  public:
@@ -41,12 +40,14 @@ class Film {
   /// Adds the next frame, of the size set. Throws RunFailure with the encoder's last lines when it gave
   /// up, and Interrupted.
   void add(const Image& frame, const StopTest& stop = {});
-  /// Waits for the encoder, looks whether the film is whole and has all frames that were added, and gives it
-  /// its name; just before, `whole` is told the temporary one. What goes into a pipe can't be looked at.
-  /// Returns the processor time (s) that the encoder took. Throws RunFailure with the encoder's last lines,
-  /// and Interrupted.
-  double finish(const StopTest& stop = {},
-                const std::function<void(const std::filesystem::path&)>& whole = {});
+  /// Waits for the encoder, and looks whether the film is whole and has all frames that were added; what goes
+  /// into a pipe can't be looked at. Returns the processor time (s) that the encoder took. Throws RunFailure
+  /// with the encoder's last lines, and Interrupted.
+  double finish(const StopTest& stop = {});
+  /// Where a finished film lies until it has its name; empty for what went into a pipe.
+  std::filesystem::path file() const;
+  /// Gives a finished film its name. Throws RunFailure with the system's reason.
+  void commit();
 
  private:
   [[noreturn]] void fail(std::string_view how, const ProcessEnd& end) const;
