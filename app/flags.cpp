@@ -15,6 +15,8 @@
 
 #include "base/failure.h"
 #include "base/nearest.h"
+#include "estimate.h"
+#include "host/patience.h"
 #include "host/scene_folder.h"
 #include "values.h"
 
@@ -89,8 +91,13 @@ SceneOverrides SceneFlags::overrides() const {
   return {sets, method.empty() ? std::nullopt : std::optional(method)};
 }
 
-Scene load(const std::string& argument, const SceneOverrides& overrides) {
-  return load_scene(find_scene(argument), overrides);
+Scene load(const std::string& argument, const SceneOverrides& overrides, bool quiet) {
+  const std::filesystem::path file = find_scene(argument);
+  const Patience patience(stderr, quiet, fmt::format("building {}", file.string()));
+  return load_scene(file, overrides, [&](const Counts& counts) {
+    if (const std::string note = size_note(counts); !quiet && !note.empty())
+      fmt::print(stderr, "taut: {}: note: {}\n", file.string(), note);
+  });
 }
 
 void print_notes(const Scene& scene, bool quiet) {

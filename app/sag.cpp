@@ -53,7 +53,7 @@ SceneOverrides sag_overrides(const SceneFlags& flags) {
 
 int sag(const SagFlags& flags) {
   const std::vector<int> passes = parse_passes(flags.passes);
-  Scene scene = load(flags.scene.scene, sag_overrides(flags.scene));
+  Scene scene = load(flags.scene.scene, sag_overrides(flags.scene), flags.quiet);
   flags.picture.apply_to(scene);
   if (!flags.picture.colour.empty()) require_colours(scene);
   print_notes(scene, flags.quiet);
