@@ -1,14 +1,28 @@
 #include "base/memory.h"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <fstream>
 
 namespace taut {
 
 double physical_memory() {
   return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+double usable_memory() {
+  double usable = physical_memory();
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+    usable = std::min(usable, static_cast<double>(limit.rlim_cur));
+  // The word "max" where there is no limit reads as none.
+  if (double of_group = 0.0; std::ifstream("/sys/fs/cgroup/memory.max") >> of_group && of_group > 0.0)
+    usable = std::min(usable, of_group);
+  return usable;
 }
 
 std::string format_bytes(double bytes) {

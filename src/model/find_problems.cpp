@@ -137,7 +137,7 @@ class MemoryCheck {
  private:
   void refuse_what_is_too_much(std::string_view key, const Counts& here) {
     constexpr double most = std::numeric_limits<Index>::max();
-    const double memory = physical_memory();
+    const double memory = usable_memory();
     const bool refused =
         std::max(total_.masses, total_.links) >= most || bytes_needed(total_) >= 0.8 * memory;
     const bool alone = bytes_needed(here) > 0.9 * bytes_needed(total_);

@@ -7,6 +7,10 @@ namespace taut {
 /// Bytes of physical memory in this machine.
 double physical_memory();
 
+/// Bytes of memory that this process may have: those of the machine, or fewer where a limit on the process or
+/// on the group it runs in says so.
+double usable_memory();
+
 /// A number of bytes for people, such as "3.2 GB".
 std::string format_bytes(double bytes);
 
