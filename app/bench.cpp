@@ -90,7 +90,7 @@ std::vector<FrameSpeed> measure_showcases(int frames, bool quietly, const StopTe
   if (frames == 0) return {};
   std::vector<Scene> scenes;
   scenes.reserve(showcases.size());
-  for (const char* name : showcases) scenes.push_back(load(name, {}));
+  for (const char* name : showcases) scenes.push_back(load(name, {}, quietly));
   Progress progress(stderr, progress_style(stderr, quietly), "showcases");
   progress.start(static_cast<int>(scenes.size()));
   int count = 0;

@@ -75,7 +75,7 @@ std::vector<Scene> load_all(const ChartFlags& flags) {
   if (names.empty()) throw BadRequest("chart needs a scene, or --all");
   std::vector<Scene> scenes;
   for (const std::string& name : names) {
-    scenes.push_back(load(name, {flags.sets, std::nullopt}));
+    scenes.push_back(load(name, {flags.sets, std::nullopt}, flags.quiet));
     print_notes(scenes.back(), flags.quiet);
     const std::string& scene = scenes.back().name;
     if (std::ranges::count(scenes, scene, &Scene::name) > 1)

@@ -14,6 +14,7 @@
 #include "frames/colouring.h"
 #include "frames/exact_shape.h"
 #include "frames/simulation.h"
+#include "host/patience.h"
 #include "host/standard_streams.h"
 #include "interrupted.h"
 #include "measure/expectation.h"
@@ -124,7 +125,7 @@ Verdict check_scene(const std::string& argument, const CheckFlags& flags, int th
   Verdict verdict;
   verdict.json = {{"scene", argument}, {"ok", true}};
   try {
-    Scene scene = load(argument, flags.changes.overrides());
+    Scene scene = load(argument, flags.changes.overrides(), flags.quiet);
     const std::optional<Plan> plan = settle_method(scene, {}, flags.changes.method, flags.quiet, stop);
     require_colours(scene);
     require_exact(scene);
@@ -142,6 +143,7 @@ Verdict check_scene(const std::string& argument, const CheckFlags& flags, int th
       }
     }
     if (flags.reference) verdict.json["reference"] = error_against_reference(scene, stop);
+    const Patience patience(stderr, flags.quiet, fmt::format("at {}", scene.name));
     if (flags.run)
       check_run(scene, on_threads(threads), flags.certify, stop, verdict);
     else

@@ -15,6 +15,7 @@
 #include "frames/frame_selection.h"
 #include "frames/simulation.h"
 #include "frames/still.h"
+#include "host/patience.h"
 #include "host/standard_streams.h"
 #include "interrupted.h"
 #include "methods/registry.h"
@@ -125,13 +126,14 @@ int export_motion(const ExportFlags& flags) {
     throw BadRequest(fmt::format("--format knows only csv, not \"{}\"", flags.format));
   const Table table = parse_table(flags.table);
   const Execution execution = on_threads(flags.scene.thread_count(flags.certify ? 1 : 0));
-  Scene scene = load(flags.scene.scene, flags.scene.overrides());
+  Scene scene = load(flags.scene.scene, flags.scene.overrides(), flags.quiet);
   print_notes(scene, flags.quiet);
   const std::vector<Instant> wanted = instants(flags, scene);
   const InterruptWatch interrupts(end_at_once);
   return unless_interrupted(interrupts, "nothing was written", [&]() -> int {
     const StopTest stop = stop_test(interrupts);
     const std::optional<Plan> plan = settle_method(scene, flags.plan, flags.scene.method, flags.quiet, stop);
+    const Patience patience(stderr, flags.quiet, "at the table");
     Simulation simulation(scene, execution);
     std::optional<Certifier> certifier;
     if (flags.certify) certifier.emplace(scene, stop);

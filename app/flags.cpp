@@ -14,6 +14,8 @@
 
 #include "base/failure.h"
 #include "base/nearest.h"
+#include "estimate.h"
+#include "host/patience.h"
 #include "host/scene_folder.h"
 #include "host/standard_streams.h"
 #include "values.h"
@@ -101,8 +103,13 @@ Shard chosen_shard(const std::string& text) {
   return text.empty() ? shard_of_this_task() : parse_shard(text);
 }
 
-Scene load(const std::string& argument, const SceneOverrides& overrides) {
-  return load_scene(find_scene(argument), overrides);
+Scene load(const std::string& argument, const SceneOverrides& overrides, bool quiet) {
+  const std::filesystem::path file = find_scene(argument);
+  const Patience patience(stderr, quiet, fmt::format("building {}", file.string()));
+  return load_scene(file, overrides, [&](const Counts& counts) {
+    if (const std::string note = size_note(counts); !quiet && !note.empty())
+      tell("taut: {}: note: {}\n", file.string(), note);
+  });
 }
 
 void print_notes(const Scene& scene, bool quiet) {

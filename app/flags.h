@@ -34,8 +34,9 @@ struct SceneFlags {
 /// So many threads for one run.
 Execution on_threads(int count);
 
-/// Reads the scene that an argument means. Throws BadRequest with all of its errors.
-Scene load(const std::string& argument, const SceneOverrides& overrides);
+/// Reads the scene that an argument means. Of a large one it says on stderr how large before it is built,
+/// unless it is to be quiet. Throws BadRequest with all of its errors.
+Scene load(const std::string& argument, const SceneOverrides& overrides, bool quiet);
 
 /// Says on stderr what is allowed in a scene but seldom meant, unless it is to be quiet.
 void print_notes(const Scene& scene, bool quiet);

@@ -7,6 +7,7 @@
 
 #include "base/diagnostic.h"
 #include "base/failure.h"
+#include "estimate.h"
 #include "host/progress.h"
 #include "host/standard_streams.h"
 #include "measure/quick_plan.h"
@@ -51,6 +52,11 @@ Plan searched(const Scene& scene, const PlanFlags& flags, const std::string& met
   return plan;
 }
 
+void say_run(const Scene& scene, bool quiet) {
+  const std::string note = quiet ? std::string() : run_note(scene);
+  if (!note.empty()) tell("taut: {}: note: {}\n", scene.name, note);
+}
+
 }  // namespace
 
 void PlanFlags::add_to(Verb& verb) {
@@ -64,13 +70,17 @@ void PlanFlags::add_to(Verb& verb) {
 
 std::optional<Plan> settle_method(Scene& scene, const PlanFlags& flags, const std::string& method, bool quiet,
                                   const StopTest& stop) {
-  if (flags.accuracy.empty() && scene.solve_given) return std::nullopt;
+  if (flags.accuracy.empty() && scene.solve_given) {
+    say_run(scene, quiet);
+    return std::nullopt;
+  }
   Plan plan = flags.accuracy.empty() ? quick_plan(scene.model, scene.start, scene.duration,
                                                   target_from(scene.accuracy), method, stop)
                                      : searched(scene, flags, method, quiet, stop);
   scene.settings = plan.settings;
   scene.solve_given = true;
   if (!quiet) tell("taut: {}: {}\n", scene.name, plan_text(plan));
+  say_run(scene, quiet);
   return plan;
 }
 

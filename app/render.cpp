@@ -24,7 +24,7 @@ struct RenderFlags {
 
 // The motion's own scene where none is named, with its camera and look.
 Scene scene_of(const RenderFlags& flags, const std::optional<StoredMotion>& motion) {
-  if (!flags.scene.scene.empty()) return load(flags.scene.scene, flags.scene.overrides());
+  if (!flags.scene.scene.empty()) return load(flags.scene.scene, flags.scene.overrides(), flags.output.quiet);
   Scene scene = parse_scene(motion->manifest.scene_toml, flags.motion, flags.scene.overrides());
   scene.name = motion->manifest.scene;
   return scene;
@@ -51,7 +51,7 @@ int draw_motion(const RenderFlags& flags) {
 int render(const RenderFlags& flags) {
   if (!flags.motion.empty()) return draw_motion(flags);
   if (flags.scene.scene.empty()) throw BadRequest("render needs a SCENE, or --motion FOLDER");
-  Scene scene = load(flags.scene.scene, flags.scene.overrides());
+  Scene scene = load(flags.scene.scene, flags.scene.overrides(), flags.output.quiet);
   print_notes(scene, flags.output.quiet);
   flags.output.picture.apply_to(scene);
   RenderRequest request = flags.output.request("out/" + scene.name);

@@ -57,7 +57,7 @@ int sag(const SagFlags& flags) {
   SagRequest request;
   request.passes = parse_passes(flags.passes);
   request.shard = chosen_shard(flags.shard);
-  Scene scene = load(flags.scene.scene, sag_overrides(flags.scene));
+  Scene scene = load(flags.scene.scene, sag_overrides(flags.scene), flags.quiet);
   flags.picture.apply_to(scene);
   if (!flags.picture.colour.empty()) require_colours(scene);
   print_notes(scene, flags.quiet);

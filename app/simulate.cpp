@@ -53,7 +53,7 @@ void print_motion(const Scene& scene, const MotionRequest& request, const Motion
 }
 
 int simulate_scene(const SimulateFlags& flags) {
-  Scene scene = load(flags.scene.scene, flags.scene.overrides());
+  Scene scene = load(flags.scene.scene, flags.scene.overrides(), flags.quiet);
   print_notes(scene, flags.quiet);
   MotionRequest request;
   request.folder = flags.folder.empty() ? "out/" + scene.name + "-motion" : flags.folder;

@@ -56,7 +56,7 @@ struct MapJob {
 
 MapJob job_for(const StabilityFlags& flags, const std::string& scene, const std::string& axes) {
   MapJob job;
-  job.scene = load(scene, {flags.sets, std::nullopt});
+  job.scene = load(scene, {flags.sets, std::nullopt}, flags.quiet);
   const Size grid = parse_size("--grid", flags.grid);
   if (grid.width < 2 || grid.height < 2 || grid.width > 400 || grid.height > 400)
     throw BadRequest(fmt::format("--grid must be from 2x2 to 400x400, not {}", flags.grid));

@@ -11,6 +11,7 @@
 #include "command_line.h"
 #include "exit_status.h"
 #include "flags.h"
+#include "host/patience.h"
 #include "host/standard_streams.h"
 #include "interrupted.h"
 #include "planning.h"
@@ -28,7 +29,7 @@ struct StillFlags {
 };
 
 int still(const StillFlags& flags) {
-  Scene scene = load(flags.scene.scene, flags.scene.overrides());
+  Scene scene = load(flags.scene.scene, flags.scene.overrides(), flags.quiet);
   print_notes(scene, flags.quiet);
   flags.picture.apply_to(scene);
   const double time = parse_seconds("--at", flags.at);
@@ -39,6 +40,7 @@ int still(const StillFlags& flags) {
   const InterruptWatch interrupts(end_at_once);
   const int status = unless_interrupted(interrupts, "nothing was written", [&] {
     plan = settle_method(scene, {}, flags.scene.method, flags.quiet, stop_test(interrupts));
+    const Patience patience(stderr, flags.quiet, "at the picture");
     note = make_still(scene, time, settings, flags.file, execution, stop_test(interrupts));
     return exit_done;
   });

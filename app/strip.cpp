@@ -10,6 +10,7 @@
 #include "exit_status.h"
 #include "flags.h"
 #include "frames/still.h"
+#include "host/patience.h"
 #include "host/standard_streams.h"
 #include "interrupted.h"
 #include "planning.h"
@@ -29,7 +30,7 @@ struct StripFlags {
 };
 
 int strip(const StripFlags& flags) {
-  Scene scene = load(flags.scene.scene, flags.scene.overrides());
+  Scene scene = load(flags.scene.scene, flags.scene.overrides(), flags.quiet);
   print_notes(scene, flags.quiet);
   flags.picture.apply_to(scene);
   const std::vector<double> times = strip_times(scene, parse_number("--count", flags.count));
@@ -40,6 +41,7 @@ int strip(const StripFlags& flags) {
   const InterruptWatch interrupts(end_at_once);
   const int status = unless_interrupted(interrupts, "nothing was written", [&] {
     plan = settle_method(scene, {}, flags.scene.method, flags.quiet, stop_test(interrupts));
+    const Patience patience(stderr, flags.quiet, "at the pictures");
     note = make_strip(scene, times, settings, flags.file, execution, stop_test(interrupts));
     return exit_done;
   });

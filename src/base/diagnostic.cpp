@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <tuple>
 
 #include "base/utf8.h"
@@ -25,14 +26,39 @@ std::string_view line_of(std::string_view text, std::size_t number) {
   return text;
 }
 
-std::vector<std::string> characters_of(std::string_view line) {
+// Where the character that begins here ends.
+std::size_t end_of_character(std::string_view line, std::size_t begin) {
+  return std::min(line.size(), begin + std::max<std::size_t>(1, utf8_length(line.substr(begin))));
+}
+
+// A part of a line, and where in it the caret stands.
+struct Excerpt {
   std::vector<std::string> characters;
-  for (std::size_t i = 0; i < line.size();) {
-    const std::size_t length = std::max<std::size_t>(1, utf8_length(line.substr(i)));
-    characters.push_back(printable(line.substr(i, length), true));
-    i += length;
+  std::size_t caret = 0;
+  bool goes_on_before = false, goes_on_after = false;
+};
+
+// The characters around a column. Of a line of megabytes no more than these are made.
+Excerpt excerpt_around(std::string_view line, std::size_t column) {
+  constexpr std::size_t most_before = 70, most_after = 50;
+  std::size_t caret = 0;                          // characters before it
+  std::array<std::size_t, most_before> begins{};  // of the last ones, by their number
+  std::size_t at = 0;
+  for (; caret + 1 < column && at < line.size(); ++caret) {
+    begins[caret % most_before] = at;
+    at = end_of_character(line, at);
   }
-  return characters;
+  Excerpt excerpt;
+  excerpt.goes_on_before = caret > most_before;
+  excerpt.caret = std::min(caret, most_before);
+  std::size_t from = excerpt.goes_on_before ? begins[caret % most_before] : 0;
+  while (from < line.size() && excerpt.characters.size() < excerpt.caret + most_after) {
+    const std::size_t end = end_of_character(line, from);
+    excerpt.characters.push_back(printable(line.substr(from, end - from), true));
+    from = end;
+  }
+  excerpt.goes_on_after = from < line.size();
+  return excerpt;
 }
 
 // How many columns a terminal gives a character. Only the blocks that are wide throughout: a name in Chinese,
@@ -60,21 +86,18 @@ std::size_t columns_of(std::string_view c) {
 
 // The line and below it the caret. Tabs before the caret are repeated, so it stands right at any tab width.
 std::string with_caret(std::string_view line, std::size_t column) {
-  constexpr std::size_t most_before = 70, most_after = 50;  // characters around the caret that are shown
-  const std::vector<std::string> characters = characters_of(line);
-  const std::size_t caret = std::min(column == 0 ? 0 : column - 1, characters.size());
-  const std::size_t begin = caret > most_before ? caret - most_before : 0;
-  const std::size_t end = std::min(characters.size(), caret + most_after);
+  const Excerpt excerpt = excerpt_around(line, column);
   std::string shown{indent}, below{indent};
-  if (begin > 0) {
+  if (excerpt.goes_on_before) {
     shown += ellipsis;
     below += ' ';
   }
-  for (std::size_t i = begin; i < end; ++i) {
-    shown += characters[i];
-    if (i < caret) below += characters[i] == "\t" ? "\t" : std::string(columns_of(characters[i]), ' ');
+  for (std::size_t i = 0; i < excerpt.characters.size(); ++i) {
+    const std::string& character = excerpt.characters[i];
+    shown += character;
+    if (i < excerpt.caret) below += character == "\t" ? "\t" : std::string(columns_of(character), ' ');
   }
-  if (end < characters.size()) shown += ellipsis;
+  if (excerpt.goes_on_after) shown += ellipsis;
   return shown + "\n" + below + "^";
 }
 

@@ -8,16 +8,17 @@
 namespace taut {
 namespace {
 
-constexpr std::size_t most_digits = 9;
+constexpr std::size_t most_digits = 9;           // behind the point
+constexpr std::int64_t largest = 1'000'000'000;  // so that what has all of them reads back as a fraction
 
 std::optional<std::int64_t> whole_number(std::string_view digits) {
-  if (digits.empty() || digits.size() > most_digits) return std::nullopt;
+  if (digits.empty() || digits.size() > most_digits + 1) return std::nullopt;
   std::int64_t number = 0;
   for (const char digit : digits) {
     if (digit < '0' || digit > '9') return std::nullopt;
     number = 10 * number + (digit - '0');
   }
-  return number;
+  return number <= largest ? std::optional(number) : std::nullopt;
 }
 
 std::optional<FrameRate> in_lowest_terms(std::optional<std::int64_t> frames,

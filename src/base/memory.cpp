@@ -25,6 +25,17 @@ double room_for_addresses() {
       0.0, static_cast<double>(limit.rlim_cur) - pages_taken * static_cast<double>(sysconf(_SC_PAGESIZE)));
 }
 
+double usable_memory() {
+  double usable = physical_memory();
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+    usable = std::min(usable, static_cast<double>(limit.rlim_cur));
+  // The word "max" where there is no limit reads as none.
+  if (double of_group = 0.0; std::ifstream("/sys/fs/cgroup/memory.max") >> of_group && of_group > 0.0)
+    usable = std::min(usable, of_group);
+  return usable;
+}
+
 std::string format_bytes(double bytes) {
   constexpr std::array units{"B", "kB", "MB", "GB", "TB", "PB", "EB"};
   std::size_t unit = 0;

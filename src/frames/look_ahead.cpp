@@ -11,7 +11,8 @@
 namespace taut {
 namespace {
 
-constexpr int moments = 300;
+// To be shown a moment costs a scene of a million masses a tenth of a second.
+constexpr double most_moments = 300.0, fewest_moments = 30.0, most_places = 1.5e7;
 // Links and limits looked at, all steps together: about a fourth of a second.
 constexpr double most_work = 5e7;
 constexpr double fewest_coarse_steps = 120.0, most_coarse_steps = 1200.0;  // per second
@@ -25,10 +26,16 @@ Settings coarse_settings(const Scene& scene) {
   return complete_settings({"xpbd", {{"steps_per_second", std::round(steps)}}});
 }
 
+int moments_of(const Scene& scene) {
+  const double masses = std::max(static_cast<double>(scene.model.masses.size()), 1.0);
+  return static_cast<int>(std::clamp(most_places / masses, fewest_moments, most_moments));
+}
+
 }  // namespace
 
 void look_ahead(const Scene& scene, const StopTest& stop, const std::function<void(const State&)>& see) {
   see(scene.start);
+  const int moments = moments_of(scene);
   try {
     Run run(scene.model, scene.start, coarse_settings(scene));
     for (int moment = 1; moment <= moments; ++moment) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <iterator>
@@ -10,6 +11,7 @@
 
 #include "base/failure.h"
 #include "base/hash.h"
+#include "base/memory.h"
 #include "frames/captions.h"
 #include "frames/exact_shape.h"
 #include "render/camera.h"
@@ -21,6 +23,22 @@ RenderSettings drawn(const PictureSettings& settings) {
   RenderSettings render = settings.render;
   render.size = settings.drawn_size();
   return render;
+}
+
+// Before anything is drawn or written: OpenGL says so only when it is too late.
+void check_memory(const RenderSettings& settings) {
+  constexpr double bytes_per_sample = 8.0;  // colour and depth
+  constexpr double bytes_per_pixel = 24.0;  // fetched, laid together, and on their way to a file
+  constexpr int most_samples_at_once = 4;
+  const double pixels = static_cast<double>(settings.size.width) * settings.size.height;
+  const double bytes =
+      pixels * (bytes_per_sample * std::min(settings.samples, most_samples_at_once) + bytes_per_pixel);
+  if (bytes < 0.8 * usable_memory()) return;
+  throw BadRequest(fmt::format(
+      "pictures of {}x{} with {} samples a pixel need about {}, and there are {}; smaller ones, or --quality "
+      "draft, need less",
+      settings.size.width, settings.size.height, settings.samples, format_bytes(bytes),
+      format_bytes(usable_memory())));
 }
 
 // Shaders decide what a picture looks like as much as a scene does.
@@ -74,8 +92,10 @@ struct Painter::Tools {
         renderer(*context, scene.look, drawn(settings), settings.shader_folder) {}
 };
 
-Painter::Painter(const Scene& scene, const PictureSettings& settings)
-    : scene_(scene), tools_(std::make_unique<Tools>(make_gl_context(settings.gl), scene, settings)) {}
+Painter::Painter(const Scene& scene, const PictureSettings& settings) : scene_(scene) {
+  check_memory(settings.render);
+  tools_ = std::make_unique<Tools>(make_gl_context(settings.gl), scene, settings);
+}
 
 Painter::~Painter() = default;
 

@@ -1,6 +1,8 @@
 #include "frames/trail_recorder.h"
 
 #include <algorithm>
+#include <string_view>
+#include <unordered_map>
 
 #include "base/bytes.h"
 
@@ -13,10 +15,11 @@ constexpr double points_a_second = 300.0;
 
 TrailRecorder::TrailRecorder(const Scene& scene)
     : kept_(scene.look.trail_time > 0.0 ? scene.look.trail_time : infinity) {
-  const std::vector<std::string>& names = scene.model.masses.name;
+  std::unordered_map<std::string_view, Index> by_name;
+  for (Index mass = 0; mass < scene.model.masses.size() && !scene.look.trails.empty(); ++mass)
+    by_name.emplace(scene.model.masses.name[mass], mass);
   for (const std::string& name : scene.look.trails)
-    if (const auto found = std::ranges::find(names, name); found != names.end())
-      masses_.push_back(static_cast<Index>(found - names.begin()));
+    if (const auto found = by_name.find(name); found != by_name.end()) masses_.push_back(found->second);
   trails_.resize(masses_.size());
 }
 

@@ -34,7 +34,9 @@ ProgressStyle progress_style(std::FILE* stream, bool quiet) {
 }
 
 Progress::Progress(std::FILE* stream, ProgressStyle style, std::string what)
-    : stream_(stream), style_(style), what_(std::move(what)) {}
+    : stream_(stream), style_(style), what_(std::move(what)) {
+  if (style != ProgressStyle::none) patience_.emplace(stream, false, fmt::format("at the {}", what_));
+}
 
 Progress::~Progress() {
   finish();
@@ -50,11 +52,13 @@ void Progress::start(int total) {
 void Progress::update(int done) {
   if (style_ == ProgressStyle::none) return;
   done_ = done;
+  if (patience_) patience_->heard();
   const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
   if (done_ >= total_ || due(elapsed)) show(elapsed);
 }
 
 void Progress::show_spent(double seconds) {
+  if (patience_) patience_->heard();
   if (style_ == ProgressStyle::none || !due(seconds)) return;
   done_ = std::min(static_cast<int>(seconds), total_);
   shown_at_ = seconds;
@@ -95,6 +99,7 @@ std::string Progress::bar() const {
 }
 
 void Progress::finish() {
+  patience_.reset();
   if (std::exchange(on_line_, false)) show_text(stream_, "\n");
 }
 

@@ -3,28 +3,16 @@
 #include <algorithm>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "base/nearest.h"
 #include "builder.h"
 #include "model/measures.h"
+#include "name_patterns.h"
 
 namespace taut {
 namespace {
-
-// Whether a dotted name fits a pattern of as many parts, where a part * fits any.
-bool fits(std::string_view name, std::string_view pattern) {
-  for (;;) {
-    const std::size_t name_dot = name.find('.'), pattern_dot = pattern.find('.');
-    const std::string_view name_part = name.substr(0, name_dot),
-                           pattern_part = pattern.substr(0, pattern_dot);
-    if (pattern_part != "*" && pattern_part != name_part) return false;
-    if (name_dot == std::string_view::npos || pattern_dot == std::string_view::npos)
-      return name_dot == pattern_dot;
-    name.remove_prefix(name_dot + 1);
-    pattern.remove_prefix(pattern_dot + 1);
-  }
-}
 
 void add_masses(Builder& builder, const std::vector<MassSpec>& specs) {
   for (const MassSpec& spec : specs) {
@@ -57,7 +45,7 @@ void add_links(Builder& builder, const std::vector<LinkSpec>& specs, const Masse
     }
     const double distance =
         (builder.start.position.at(a->second) - builder.start.position.at(b->second)).norm();
-    if (distance == 0.0)
+    if (!(distance >= smallest_divisor))
       report("b", fmt::format("\"{}\" and \"{}\" are at the same point, so their link has no direction",
                               spec.a, spec.b));
     else
@@ -65,20 +53,38 @@ void add_links(Builder& builder, const std::vector<LinkSpec>& specs, const Masse
   }
 }
 
+// Adds the masses that a load names; says of each pattern that fits none what may have been meant.
+void add_loaded_masses(Load& load, const std::vector<std::string>& patterns, std::size_t index,
+                       const Masses& masses, NamePatterns& names, std::vector<Problem>& problems) {
+  std::unordered_set<std::string_view> known;  // a pattern twice adds nothing
+  for (const std::string& pattern : patterns) {
+    if (!known.insert(pattern).second) continue;
+    const std::vector<Index>& fitting = names.fitting(pattern);
+    load.masses.insert(load.masses.end(), fitting.begin(), fitting.end());
+    if (fitting.empty())
+      problems.push_back({"load", index, "masses", fmt::format("no mass is named \"{}\"", pattern),
+                          nearest_mass(pattern, masses, problems)});
+  }
+  // Patterns may overlap; the force acts once on each mass.
+  std::sort(load.masses.begin(), load.masses.end());
+  load.masses.erase(std::unique(load.masses.begin(), load.masses.end()), load.masses.end());
+}
+
 void add_loads(Model& model, const std::vector<LoadSpec>& specs, std::vector<Problem>& problems) {
+  constexpr std::size_t most = 100'000'000;  // masses that loads may name, all of them together
+  NamePatterns names(model.masses);
+  std::size_t loaded = 0;
   for (std::size_t i = 0; i < specs.size(); ++i) {
     Load load{{}, specs[i].force, specs[i].from, specs[i].to};
-    for (const std::string& pattern : specs[i].masses) {
-      const std::size_t before = load.masses.size();
-      for (std::size_t mass = 0; mass < model.masses.size(); ++mass)
-        if (fits(model.masses.name[mass], pattern)) load.masses.push_back(static_cast<Index>(mass));
-      if (load.masses.size() == before)
-        problems.push_back({"load", i, "masses", fmt::format("no mass is named \"{}\"", pattern),
-                            nearest_mass(pattern, model.masses, problems)});
+    add_loaded_masses(load, specs[i].masses, i, model.masses, names, problems);
+    loaded += load.masses.size();
+    if (loaded > most) {
+      problems.push_back(
+          {"load", i, "masses",
+           fmt::format("the loads up to here act on {} masses in all; {} is the most they may", loaded, most),
+           ""});
+      return;
     }
-    // Patterns may overlap; the force acts once on each mass.
-    std::sort(load.masses.begin(), load.masses.end());
-    load.masses.erase(std::unique(load.masses.begin(), load.masses.end()), load.masses.end());
     model.loads.push_back(std::move(load));
   }
 }
@@ -101,8 +107,8 @@ bool masses_are_sound(const std::vector<Problem>& problems) {
 }  // namespace
 
 std::string nearest_mass(std::string_view name, const Masses& masses, const std::vector<Problem>& problems) {
-  constexpr std::size_t enough = 50;
-  if (problems.size() >= enough) return {};
+  constexpr std::size_t enough = 50, most_names = 2'000'000;  // names to compare with, all problems together
+  if (problems.size() >= enough || problems.size() * masses.size() > most_names) return {};
   const std::vector<std::string_view> names(masses.name.begin(), masses.name.end());
   return std::string(nearest_name(name, names));
 }
@@ -129,6 +135,7 @@ Built build(const Description& description) {
   }
   add_masses(builder, description.masses);
   add_solids(builder, description);
+  find_crowds(builder, description, built.problems);
   MassesByName by_name;
   for (std::size_t i = 0; i < builder.model.masses.size(); ++i)
     by_name.emplace(builder.model.masses.name[i], static_cast<Index>(i));

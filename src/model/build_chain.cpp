@@ -56,7 +56,7 @@ std::vector<Vec3> chain_points(const ChainSpec& spec, const Vec3& gravity) {
 }  // namespace
 
 Counts count(const ChainSpec& spec) {
-  return {spec.links + 1.0, static_cast<double>(spec.links), 0.0};
+  return {spec.links + 1.0, static_cast<double>(spec.links), 0.0, 0.0};
 }
 
 void add_chain(Builder& builder, const ChainSpec& spec) {

@@ -1,8 +1,9 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "builder.h"
 
@@ -16,14 +17,14 @@ constexpr double rounding = 1e-9;  // rad
 class LimitBuilder {
  public:
   LimitBuilder(Builder& builder, const MassesByName& by_name, std::vector<Problem>& problems)
-      : builder_(builder), by_name_(by_name), problems_(problems) {}
+      : builder_(builder), by_name_(by_name), problems_(problems) {
+    for (const Problem& problem : problems) unsound_.emplace(problem.section, problem.index);
+  }
 
   void enter(std::string_view section, std::size_t index) {
     section_ = section;
     index_ = index;
-    sound_ = std::none_of(problems_.begin(), problems_.end(), [&](const Problem& problem) {
-      return problem.section == section_ && problem.index == index_;
-    });
+    sound_ = !unsound_.contains({section_, index_});
   }
 
   void add(const AngleSpec& spec) {
@@ -86,7 +87,7 @@ class LimitBuilder {
   }
 
   void apart(const Limit& limit, std::size_t i, std::size_t j, std::string_view key) {
-    require((place(limit, i) - place(limit, j)).norm() > 0.0, key,
+    require((place(limit, i) - place(limit, j)).norm() >= smallest_divisor, key,
             fmt::format("\"{}\" and \"{}\" are at the same point, so there is no direction", name(limit, i),
                         name(limit, j)));
   }
@@ -111,6 +112,7 @@ class LimitBuilder {
   Builder& builder_;
   const MassesByName& by_name_;
   std::vector<Problem>& problems_;
+  std::set<std::pair<std::string, std::size_t>> unsound_;  // entries, before limits are looked at
   std::string section_;
   std::size_t index_ = 0;
   bool sound_ = true;

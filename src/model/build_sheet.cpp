@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <cstdlib>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -41,10 +41,18 @@ std::vector<Vec3> column_offsets(const SheetSpec& spec, double fullness, const V
   return offsets;
 }
 
-bool pinned_by_edge(const SheetSpec& spec, int row, int column) {
+// Each edge once, however often it is named.
+std::vector<std::string> different_edges(const SheetSpec& spec) {
+  std::vector<std::string> edges = spec.pinned;
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+bool pinned_by_edge(const SheetSpec& spec, const std::vector<std::string>& edges, int row, int column) {
   const bool top = row == 0, bottom = row == spec.rows - 1, left = column == 0,
              right = column == spec.columns - 1;
-  return std::any_of(spec.pinned.begin(), spec.pinned.end(), [&](const std::string& edge) {
+  return std::any_of(edges.begin(), edges.end(), [&](const std::string& edge) {
     return (edge == "top" && top) || (edge == "bottom" && bottom) || (edge == "left" && left) ||
            (edge == "right" && right) || (edge == "top-left" && top && left) ||
            (edge == "top-right" && top && right) || (edge == "bottom-left" && bottom && left) ||
@@ -70,6 +78,7 @@ void add_masses(Builder& builder, const SheetSpec& spec) {
   const Vec3 rail = spec.to - spec.from;
   const Vec3 outward = rail.cross(spec.down).normalized();
   const std::vector<Vec3> offsets = column_offsets(spec, spec.fullness / first_share, rail, outward);
+  const std::vector<std::string> edges = different_edges(spec);
   const double share = spec.mass / (static_cast<double>(spec.rows) * spec.columns);
   for (int row = 0; row < spec.rows; ++row) {
     const Vec3 row_start = spec.from + spec.down * (static_cast<double>(row) / (spec.rows - 1));
@@ -78,13 +87,13 @@ void add_masses(Builder& builder, const SheetSpec& spec) {
       const Index mass =
           builder.add_mass(spec.name + "." + std::to_string(row) + "." + std::to_string(column),
                            row_start + offsets[static_cast<std::size_t>(column)], Vec3::Zero(), share,
-                           hook || pinned_by_edge(spec, row, column), spec.radius);
+                           hook || pinned_by_edge(spec, edges, row, column), spec.radius);
       if (hook && !spec.hooks.draw.empty()) builder.drive(mass, hook_path(spec, column));
     }
   }
 }
 
-// Adds links between masses and remembers which link joins which two.
+// Adds links between masses and knows which link joins which two.
 class SheetLinks {
  public:
   SheetLinks(Builder& builder, const SheetSpec& spec, Index first_mass)
@@ -103,24 +112,41 @@ class SheetLinks {
   // cloth.
   void add_family(int rows, int columns, const LinkProperties& properties, LinkFamily family) {
     const double length = (rows * along_column_ + columns * along_row_).norm();
+    families_.push_back({rows, columns, static_cast<Index>(builder_.model.links.size())});
     for (int row = 0; row + rows < spec_.rows; ++row)
-      for (int column = std::max(0, -columns); column + std::max(0, columns) < spec_.columns; ++column) {
-        const Index a = mass(row, column), b = mass(row + rows, column + columns);
-        by_ends_[{a, b}] = builder_.add_link(a, b, length, properties, family);
-      }
+      for (int column = std::max(0, -columns); column + std::max(0, columns) < spec_.columns; ++column)
+        builder_.add_link(mass(row, column), mass(row + rows, column + columns), length, properties, family);
   }
 
-  Index between(Index a, Index b) const {
-    const auto found = by_ends_.find(std::minmax(a, b));
-    return found == by_ends_.end() ? no_link : found->second;
+  // The link that joins two masses, or no_link: families are laid out row after row, so its place is known.
+  Index between(Index one, Index other) const {
+    const auto [a, b] = std::minmax(one, other);
+    const int row = row_of(a), column = column_of(a);
+    for (const SteppedLinks& links : families_) {
+      if (row_of(b) - row != links.rows || column_of(b) - column != links.columns) continue;
+      const int a_row_has = spec_.columns - std::abs(links.columns);
+      return links.first + static_cast<Index>(row) * static_cast<Index>(a_row_has) +
+             static_cast<Index>(column - std::max(0, -links.columns));
+    }
+    return no_link;
   }
 
  private:
+  // Links from every mass to the one so many rows and columns on.
+  struct SteppedLinks {
+    int rows, columns;
+    Index first;
+  };
+
+  int row_of(Index mass) const { return static_cast<int>((mass - first_mass_) / columns()); }
+  int column_of(Index mass) const { return static_cast<int>((mass - first_mass_) % columns()); }
+  Index columns() const { return static_cast<Index>(spec_.columns); }
+
   Builder& builder_;
   const SheetSpec& spec_;
   Index first_mass_;
   Vec3 along_row_, along_column_;
-  std::map<std::pair<Index, Index>, Index> by_ends_;
+  std::vector<SteppedLinks> families_;
 };
 
 void add_triangle(Model& model, const SheetLinks& links, Index a, Index b, Index c) {
@@ -134,7 +160,9 @@ Counts count(const SheetSpec& spec) {
   double links = rows * (columns - 1) + columns * (rows - 1);
   if (spec.diagonals) links += 2.0 * (rows - 1) * (columns - 1);
   if (spec.skip_one) links += rows * (columns - 2) + columns * (rows - 2);
-  return {rows * columns, links, 2.0 * (rows - 1) * (columns - 1)};
+  const double hooks = spec.hooks.every > 0 ? (columns - 1) / spec.hooks.every + 1.0 : 0.0;
+  return {rows * columns, links, 2.0 * (rows - 1) * (columns - 1),
+          hooks * static_cast<double>(spec.hooks.draw.size())};
 }
 
 void add_sheet(Builder& builder, const SheetSpec& spec) {

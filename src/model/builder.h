@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/description.h"
+#include "model/size.h"
 
 namespace taut {
 
@@ -71,6 +72,10 @@ void add_limits(Builder& builder, const Description& description, const MassesBy
 /// Adds what masses can hit, and what of them touches it.
 void add_solids(Builder& builder, const Description& description);
 
+/// Reports bodies that are so close together at the start that their contacts can't be counted, let alone be
+/// solved.
+void find_crowds(const Builder& builder, const Description& description, std::vector<Problem>& problems);
+
 /// The rotation by degrees about x, then y, then z.
 Eigen::Matrix3d turned(const Vec3& degrees);
 
@@ -78,12 +83,10 @@ Eigen::Matrix3d turned(const Vec3& degrees);
 /// would take bad names × masses.
 std::string nearest_mass(std::string_view name, const Masses& masses, const std::vector<Problem>& problems);
 
-/// Masses and links a sheet has, as real numbers so that no count overflows.
-struct Counts {
-  double masses = 0.0, links = 0.0, triangles = 0.0;
-};
+/// What each of them has.
 Counts count(const SheetSpec& spec);
 Counts count(const ChainSpec& spec);
+Counts count(const RagdollSpec& spec);
 
 /// Everything wrong with a description that shows without building it: numbers, names and counts.
 std::vector<Problem> find_problems(const Description& description);

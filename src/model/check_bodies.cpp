@@ -50,7 +50,8 @@ void check_hinge(Checker& check, const HingeSpec& hinge) {
 void check_cone(Checker& check, const ConeSpec& cone) {
   check_count(check, cone.frame, 3, 3, "frame");
   check_count(check, cone.limb, 2, 3, "limb");
-  check.require(cone.axis.allFinite() && cone.axis.norm() > 0.0, "axis", "axis must not be zero");
+  check.require(cone.axis.allFinite() && Checker::apart(cone.axis, Vec3::Zero()), "axis",
+                "axis must not be zero");
   check_half_angle(check, cone.half_angle, "half_angle");
   check.not_negative(cone.compliance, "compliance", "rad/(N m)");
 }

@@ -12,7 +12,8 @@ void check_touch(Checker& check, const Spec& spec) {
 
 void check_plane(Checker& check, const PlaneSpec& plane) {
   check.finite(plane.point, "point");
-  check.require(plane.normal.allFinite() && plane.normal.norm() > 0.0, "normal", "normal must not be zero");
+  check.require(plane.normal.allFinite() && Checker::apart(plane.normal, Vec3::Zero()), "normal",
+                "normal must not be zero");
   check_touch(check, plane);
 }
 
@@ -25,7 +26,8 @@ void check_sphere(Checker& check, const SphereSpec& sphere) {
 void check_capsule(Checker& check, const CapsuleSpec& capsule) {
   check.finite(capsule.from, "from");
   check.finite(capsule.to, "to");
-  check.require(capsule.from != capsule.to, "to", "from and to are the same point: write a [[sphere]]");
+  check.require(Checker::apart(capsule.from, capsule.to), "to",
+                "from and to are the same point: write a [[sphere]]");
   check.positive(capsule.radius, "radius", "m");
   check_touch(check, capsule);
 }
@@ -33,7 +35,7 @@ void check_capsule(Checker& check, const CapsuleSpec& capsule) {
 void check_box(Checker& check, const BoxSpec& box) {
   check.finite(box.centre, "centre");
   check.finite(box.turn, "turn");
-  check.require(box.size.allFinite() && (box.size.array() > 0.0).all(), "size",
+  check.require(box.size.allFinite() && (box.size.array() >= smallest_divisor).all(), "size",
                 "size must be three lengths above 0 m");
   check_touch(check, box);
 }

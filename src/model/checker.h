@@ -26,7 +26,14 @@ class Checker {
   void positive(double value, std::string_view key, std::string_view unit) {
     require(std::isfinite(value) && value > 0.0, key,
             fmt::format("{} must be above 0 {}, not {}", key, unit, value));
+    not_nearly_zero(value, key);
   }
+  void not_nearly_zero(double value, std::string_view key) {
+    require(!(value > 0.0 && value < smallest_divisor), key,
+            fmt::format("{} must not be so near 0: {} is smaller than {}", key, value, smallest_divisor));
+  }
+  /// Whether two places are far enough apart to tell in which direction.
+  static bool apart(const Vec3& a, const Vec3& b) { return (a - b).norm() >= smallest_divisor; }
   void not_negative(double value, std::string_view key, std::string_view unit) {
     require(std::isfinite(value) && value >= 0.0, key,
             fmt::format("{} must be 0 {} or more, not {}", key, unit, value));

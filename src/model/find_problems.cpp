@@ -25,10 +25,12 @@ void check_chain(Checker& check, const ChainSpec& chain) {
   check.require(chain.links >= 1, "links", fmt::format("links must be 1 or more, not {}", chain.links));
   check.positive(chain.mass, "mass", "kg");
   check.not_negative(chain.length, "length", "m");
+  check.not_nearly_zero(chain.length, "length");
   check.not_negative(chain.last_mass, "last_mass", "kg");
-  check.require(chain.length > 0.0 || chain.from != chain.to, "to",
+  check.not_nearly_zero(chain.last_mass, "last_mass");
+  check.require(chain.length > 0.0 || Checker::apart(chain.from, chain.to), "to",
                 "from and to are the same point, and no length is given");
-  check.require(chain.from != chain.to || chain.links > 1, "to",
+  check.require(Checker::apart(chain.from, chain.to) || chain.links > 1, "to",
                 "one link can't begin and end at the same point");
   bool first = false, last = false;
   for (const std::string& end : chain.pinned) {
@@ -75,8 +77,9 @@ void check_sheet(Checker& check, const SheetSpec& sheet) {
   check.finite(sheet.from, "from");
   check.finite(sheet.to, "to");
   check.finite(sheet.down, "down");
-  check.require((sheet.to - sheet.from).cross(sheet.down).norm() > 0.0, "down",
-                "from → to and down must span a rectangle, not a line");
+  check.require((sheet.to - sheet.from).cross(sheet.down).norm() > 0.0 &&
+                    Checker::apart(sheet.from, sheet.to) && Checker::apart(sheet.down, Vec3::Zero()),
+                "down", "from → to and down must span a rectangle, not a line");
   check.positive(sheet.mass, "mass", "kg");
   check.require(std::isfinite(sheet.fullness) && sheet.fullness >= 1.0, "fullness",
                 fmt::format("fullness must be 1 or more, not {}", sheet.fullness));
@@ -118,25 +121,41 @@ void check_load(Checker& check, const LoadSpec& load) {
 
 // Counts that the machine's memory can't hold, or the indices can't number, are refused before anything is
 // built.
+class MemoryCheck {
+ public:
+  explicit MemoryCheck(Checker& check) : check_(check) {}
+
+  template <typename Spec>
+  void add(std::string_view section, std::string_view key, const std::vector<Spec>& specs) {
+    for (std::size_t i = 0; i < specs.size(); ++i) {
+      total_ += count(specs[i]);
+      check_.enter(section, i);
+      refuse_what_is_too_much(key, count(specs[i]));
+    }
+  }
+
+ private:
+  void refuse_what_is_too_much(std::string_view key, const Counts& here) {
+    constexpr double most = std::numeric_limits<Index>::max();
+    const double memory = usable_memory();
+    const bool refused =
+        std::max(total_.masses, total_.links) >= most || bytes_needed(total_) >= 0.8 * memory;
+    const bool alone = bytes_needed(here) > 0.9 * bytes_needed(total_);
+    check_.require(!refused, key,
+                   fmt::format("{:.3g} masses and {:.3g} links{} need about {}; this machine has {}",
+                               total_.masses, total_.links, alone ? "" : ", with what stands before them,",
+                               format_bytes(bytes_needed(total_)), format_bytes(memory)));
+  }
+
+  Checker& check_;
+  Counts total_;
+};
+
 void check_memory(Checker& check, const Description& description) {
-  constexpr double bytes_per_mass = 400.0, bytes_per_link = 280.0, bytes_per_triangle = 48.0;
-  double total = 0.0;
-  const auto add = [&](std::string_view section, std::size_t index, std::string_view key,
-                       const Counts& counts) {
-    const double bytes = counts.masses * bytes_per_mass + counts.links * bytes_per_link +
-                         counts.triangles * bytes_per_triangle;
-    total += bytes;
-    check.enter(section, index);
-    const bool numbered = std::max(counts.masses, counts.links) < std::numeric_limits<Index>::max();
-    check.require(
-        numbered && total < 0.8 * physical_memory(), key,
-        fmt::format("{:.3g} masses and {:.3g} links need about {}; this machine has {}", counts.masses,
-                    counts.links, format_bytes(bytes), format_bytes(physical_memory())));
-  };
-  for (std::size_t i = 0; i < description.chains.size(); ++i)
-    add("chain", i, "links", count(description.chains[i]));
-  for (std::size_t i = 0; i < description.sheets.size(); ++i)
-    add("sheet", i, "rows", count(description.sheets[i]));
+  MemoryCheck memory(check);
+  memory.add("chain", "links", description.chains);
+  memory.add("sheet", "rows", description.sheets);
+  memory.add("ragdoll", "", description.ragdolls);
 }
 
 }  // namespace

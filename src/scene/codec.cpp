@@ -19,10 +19,16 @@ bool wrong_type(const Node& node, const KeyInfo& info, std::string_view type, Re
   return false;
 }
 
-// Reports a number that is not finite (then false) or out of its range (then true: it is known).
+// Reports a number that is not finite or too near 0 to be divided by (then false), or out
+// of its range (then true: it is known).
 bool accept(double x, const Node& node, const KeyInfo& info, Reader& reader) {
   if (!std::isfinite(x)) {
     reader.unreadable(node.origin, fmt::format("{} must be finite, not {}", in_quotes(info.name), x));
+    return false;
+  }
+  if (info.range.divides() && x > 0.0 && x < smallest_divisor) {
+    reader.unreadable(node.origin, fmt::format("{} must not be so near 0: {} is smaller than {}",
+                                               in_quotes(info.name), describe(node), smallest_divisor));
     return false;
   }
   if (!info.range.contains(x))

@@ -20,8 +20,11 @@ namespace taut {
 struct Range {
   double min = -std::numeric_limits<double>::max();
   double max = std::numeric_limits<double>::max();
-  bool min_excluded = false;  ///< must be above min
+  bool min_excluded = false;     ///< must be above min
+  bool zero_is_special = false;  ///< 0 stands for something else; whatever is above it is divided by
 
+  /// Whether something is divided by what is above 0.
+  bool divides() const { return min == 0.0 && (min_excluded || zero_is_special); }
   bool contains(double x) const { return (min_excluded ? x > min : x >= min) && x <= max; }
 };
 
@@ -33,6 +36,9 @@ constexpr Range above(double min) {
 }
 constexpr Range between(double min, double max) {
   return {.min = min, .max = max};
+}
+constexpr Range zero_or_up_to(double max) {
+  return {.min = 0.0, .max = max, .zero_is_special = true};
 }
 constexpr Range above_to(double min, double max) {
   return {.min = min, .max = max, .min_excluded = true};

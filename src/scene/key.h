@@ -89,13 +89,17 @@ bool read_table(const Node& node, const Keys<T>& keys, std::string_view label, T
     report_no_table(node, label, reader);
     return false;
   }
+  std::vector<KeyInfo> known;  // made for the first key that is none of them
   for (const Entry& entry : *table) {
+    if (reader.full()) return true;
     if (kind == TableKind::entry) reader.begin_key(entry.key);
     const auto found = std::ranges::find(keys, entry.key, [](const Key<T>& each) { return each.info.name; });
-    if (found == keys.end())
-      report_unknown(entry, infos(keys), label, reader);
-    else
+    if (found != keys.end()) {
       found->read(entry.node, found->info, out, reader);
+      continue;
+    }
+    if (known.empty()) known = infos(keys);
+    report_unknown(entry, known, label, reader);
   }
   for (const Key<T>& each : keys) {
     if (!each.info.required || find_entry(node, each.info.name)) continue;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <unordered_set>
 
 #include "base/diagnostic.h"
 #include "base/failure.h"
@@ -48,6 +49,7 @@ Reader::Homes homes_of(const std::vector<Section>& sections) {
 Scene read_document(const Node& document, const std::vector<Section>& sections, Reader& reader) {
   Scene scene;
   for (const Entry& entry : *document.get<Node::Table>()) {
+    if (reader.full()) break;
     const std::string name = entry.key == "title" ? "" : entry.key;
     const auto found = std::ranges::find(sections, name, &Section::name);
     if (found == sections.end() || entry.key.empty())
@@ -94,12 +96,13 @@ void keep_notes(const Node& document, const std::vector<Problem>& notes, const R
 }
 
 void check_camera(const Node& document, const Camera& camera, Reader& reader) {
-  if (camera.eye && camera.eye == camera.target)
+  const auto nothing = [](const Vec3& way) { return way.norm() < smallest_divisor; };
+  if (camera.eye && camera.target && nothing(*camera.eye - *camera.target))
     reader.plain(origin_of(document, {"camera", 0, "eye", {}, {}}),
                  "\"eye\" and \"target\" of [camera] are the same point");
-  if (camera.up && camera.up->isZero(0.0))
+  if (camera.up && nothing(*camera.up))
     reader.plain(origin_of(document, {"camera", 0, "up", {}, {}}), "\"up\" of [camera] must not be zero");
-  if (camera.direction.isZero(0.0))
+  if (nothing(camera.direction))
     reader.plain(origin_of(document, {"camera", 0, "direction", {}, {}}),
                  "\"direction\" of [camera] must not be zero");
 }
@@ -129,13 +132,18 @@ void check_follow(const Node& document, const Scene& scene, Reader& reader) {
 }
 
 void check_trails(const Node& document, const Scene& scene, Reader& reader) {
+  constexpr std::size_t enough = 50, most_names = 2'000'000;  // names to compare with, all trails together
+  if (scene.look.trails.empty()) return;
   const std::vector<std::string>& names = scene.model.masses.name;
   const std::vector<std::string_view> candidates(names.begin(), names.end());
-  for (const std::string& trail : scene.look.trails)
-    if (std::ranges::find(names, trail) == names.end())
-      reader.plain(origin_of(document, {"look", 0, "trails", {}, {}}),
-                   fmt::format("\"trails\" names no mass: {}", in_quotes(trail)),
-                   did_you_mean(nearest_name(trail, candidates)));
+  const std::unordered_set<std::string_view> known(names.begin(), names.end());
+  for (const std::string& trail : scene.look.trails) {
+    if (known.contains(trail)) continue;
+    const bool compare = reader.count() < enough && reader.count() * names.size() < most_names;
+    reader.plain(origin_of(document, {"look", 0, "trails", {}, {}}),
+                 fmt::format("\"trails\" names no mass: {}", in_quotes(trail)),
+                 did_you_mean(compare ? nearest_name(trail, candidates) : std::string_view()));
+  }
 }
 
 // Makes the model; reports what is wrong with the entries as they stand to one another. What needs a model
@@ -174,7 +182,8 @@ std::string read_file(const std::filesystem::path& file) {
 
 }  // namespace
 
-Scene parse_scene(const std::string& text, const std::string& file, const SceneOverrides& overrides) {
+Scene parse_scene(const std::string& text, const std::string& file, const SceneOverrides& overrides,
+                  const BeforeBuilding& before_building) {
   constexpr std::size_t most_shown = 50;  // errors
   constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
   std::string_view body = text;
@@ -191,6 +200,7 @@ Scene parse_scene(const std::string& text, const std::string& file, const SceneO
   const std::vector<Section> sections = all_sections();
   Reader reader(file, change_names(overrides), homes_of(sections));
   Scene scene = read_document(document, sections, reader);
+  if (before_building && reader.count() == 0) before_building(count(scene.description));
   build_scene(document, scene, reader);
   diagnostics.insert(diagnostics.end(), reader.diagnostics().begin(), reader.diagnostics().end());
   if (!diagnostics.empty())
@@ -201,8 +211,9 @@ Scene parse_scene(const std::string& text, const std::string& file, const SceneO
   return scene;
 }
 
-Scene load_scene(const std::filesystem::path& file, const SceneOverrides& overrides) {
-  return parse_scene(read_file(file), file.string(), overrides);
+Scene load_scene(const std::filesystem::path& file, const SceneOverrides& overrides,
+                 const BeforeBuilding& before_building) {
+  return parse_scene(read_file(file), file.string(), overrides, before_building);
 }
 
 }  // namespace taut

@@ -18,7 +18,7 @@ Keys<ChainSpec> chain_keys() {
              key<ChainSpec>(
                  "length", &ChainSpec::length,
                  {.unit = "m",
-                  .range = between(0, far),
+                  .range = zero_or_up_to(far),
                   .help = "of the whole; 0: the distance of its ends. A longer chain starts as an arc "
                           "that sags along gravity, a shorter one starts stretched"}),
              key<ChainSpec>("mass", &ChainSpec::mass,
@@ -27,7 +27,7 @@ Keys<ChainSpec> chain_keys() {
                              .help = "of the whole, shared equally by its masses"}),
              key<ChainSpec>("last_mass", &ChainSpec::last_mass,
                             {.unit = "kg",
-                             .range = between(0, 1e12),
+                             .range = zero_or_up_to(1e12),
                              .help = "of the last mass alone; 0: the same as the others"}),
              key<ChainSpec>("pinned", &ChainSpec::pinned,
                             {.choices = chain_ends, .help = "the ends that are held"}),

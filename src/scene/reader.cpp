@@ -9,13 +9,17 @@
 namespace taut {
 namespace {
 
-constexpr std::size_t most_kept = 10'000;
+constexpr std::size_t most_kept = 10'000, most_counted = 100'000;
 
 }  // namespace
 
 void Reader::begin_entry(std::string_view section, std::size_t index) {
   entry_ = {std::string(section), index};
   key_.clear();
+}
+
+bool Reader::full() const {
+  return count() >= most_counted;
 }
 
 std::string Reader::home_hint(std::string_view key) const {

@@ -47,6 +47,8 @@ class Reader {
 
   /// How many errors there are, those beyond the most that are kept included.
   std::size_t count() const { return diagnostics_.size() + left_out_; }
+  /// Whether there are so many errors that no more are worth looking for.
+  bool full() const;
   /// How many are beyond the most that are kept.
   std::size_t left_out() const { return left_out_; }
   const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }

@@ -81,8 +81,13 @@ Section repeated_section(std::string name, std::string help, Keys<T> keys, Acces
       return;
     }
     std::vector<T>& entries = std::invoke(access, scene);
-    for (std::size_t i = 0; i < list->size(); ++i) {
+    for (std::size_t i = 0; i < list->size() && !reader.full(); ++i) {
       reader.begin_entry(id, i);
+      if (!(*list)[i].get<Node::Table>()) {
+        // A list of something else was meant for another place: to say so of each element helps nobody.
+        report_no_table((*list)[i], label, reader);
+        return;
+      }
       read_table((*list)[i], keys, label, TableKind::entry, entries.emplace_back(), reader);
     }
   };

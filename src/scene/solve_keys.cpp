@@ -122,6 +122,7 @@ void read_solve(const Node& node, Scene& scene, Reader& reader) {
   scene.solve_given = true;
   scene.settings = {method ? std::string(method->name) : std::string(), {}};
   for (const Entry& entry : *table) {
+    if (reader.full()) return;
     if (entry.key == "method") continue;
     reader.begin_key(entry.key);
     const Param* param = method ? find_param(*method, entry.key) : nullptr;

@@ -86,5 +86,104 @@ INSTANTIATE_TEST_SUITE_P(
         BadFlags{"UnknownList", {"list", "method"}, "did you mean \"methods\"?"}),
     [](const auto& test) { return test.param.name; });
 
+INSTANTIATE_TEST_SUITE_P(
+    HostileValues, BadFlagsTest,
+    ::testing::Values(
+        BadFlags{"SizeEmpty", {"render", "SCENE", "--size="}, "--size"},
+        BadFlags{"SizeNegative", {"render", "SCENE", "--size=-64x-64"}, "from 16 to 16384"},
+        BadFlags{"SizeBeyondOpenGl", {"render", "SCENE", "--size", "20000x20000"}, "20000x20000 is not"},
+        BadFlags{"SizeOfThreeSides", {"render", "SCENE", "--size", "64x64x64"}, "such as 1280x720"},
+        BadFlags{"SizeInUnits", {"render", "SCENE", "--size", "64pxx64px"}, "such as 1280x720"},
+        BadFlags{"SizeHex", {"render", "SCENE", "--size", "0x40x0x40"}, "such as 1280x720"},
+        BadFlags{"SizeInExponents", {"render", "SCENE", "--size", "1e3x1e3"}, "such as 1280x720"},
+        BadFlags{"SizeOfHalves", {"render", "SCENE", "--size", "64.5x64"}, "such as 1280x720"},
+        BadFlags{"StillBeyondOpenGl",
+                 {"still", "SCENE", "--at", "0", "-o", "a.png", "--size", "16x16385"},
+                 "16x16385 is not"},
+        BadFlags{"SheetBeyondOpenGl",
+                 {"compare", "SCENE", "--methods", "xpbd,verlet,rattle", "--size", "8000x64"},
+                 "24000x64"},
+        BadFlags{"FilmBeyondWebp",
+                 {"render", "SCENE", "--no-frames", "--film", "a.webp", "--size", "16384x64"},
+                 "16383"},
+        BadFlags{"RateEmpty", {"render", "SCENE", "--fps="}, "--fps"},
+        BadFlags{"RateNegative", {"render", "SCENE", "--fps=-30"}, "24000/1001"},
+        BadFlags{"RateNan", {"render", "SCENE", "--fps", "nan"}, "24000/1001"},
+        BadFlags{"RateInf", {"render", "SCENE", "--fps", "inf"}, "24000/1001"},
+        BadFlags{"RateHuge", {"render", "SCENE", "--fps", "99999999999999999999"}, "24000/1001"},
+        BadFlags{"RateOfThreeParts", {"render", "SCENE", "--fps", "1/2/3"}, "24000/1001"},
+        BadFlags{"TimeEmpty", {"still", "SCENE", "--at=", "-o", "a.png"}, "one word too many"},
+        BadFlags{"TimeNan", {"still", "SCENE", "--at", "nan", "-o", "a.png"}, "such as 2.5"},
+        BadFlags{"TimeInf", {"still", "SCENE", "--at", "infs", "-o", "a.png"}, "such as 2.5"},
+        BadFlags{"TimeNegative", {"still", "SCENE", "--at=-1s", "-o", "a.png"}, "from 0 to 1 s"},
+        BadFlags{"TimeHuge", {"still", "SCENE", "--at", "1e300", "-o", "a.png"}, "from 0 to 1 s"},
+        BadFlags{"TimeInMinutes", {"still", "SCENE", "--at", "1min", "-o", "a.png"}, "such as 2.5"},
+        BadFlags{"FramesEmpty", {"render", "SCENE", "--frames="}, "--frames"},
+        BadFlags{"FramesHuge", {"render", "SCENE", "--frames", "1-99999999999"}, "chooses no frames"},
+        BadFlags{"FramesNegative", {"render", "SCENE", "--frames=-3"}, "chooses no frames"},
+        BadFlags{"FramesByNothing", {"render", "SCENE", "--frames", "1-9:0"}, "chooses no frames"},
+        BadFlags{"FramesOfCommas", {"render", "SCENE", "--frames", ",,,"}, "chooses no frames"},
+        BadFlags{"ThreadsZero", {"render", "SCENE", "--threads", "0"}, "from 1 to 256"},
+        BadFlags{"ThreadsHuge", {"render", "SCENE", "--threads", "1e9"}, "from 1 to 256"},
+        BadFlags{"ThreadsHalf", {"render", "SCENE", "--threads", "1.5"}, "a whole number"},
+        BadFlags{"ThreadsNan", {"render", "SCENE", "--threads", "nan"}, "--threads needs a number"},
+        BadFlags{"CountHuge", {"strip", "SCENE", "--count", "1e300", "-o", "a.png"}, "from 1 to 100"},
+        BadFlags{"CountNegative", {"strip", "SCENE", "--count=-6", "-o", "a.png"}, "from 1 to 100"},
+        BadFlags{"AccuracyOfNothing", {"render", "SCENE", "--accuracy", "0%"}, "--accuracy is such as"},
+        BadFlags{"AccuracyNan", {"render", "SCENE", "--accuracy", "nan%"}, "--accuracy is such as"},
+        BadFlags{
+            "AccuracyOfUnknownKind", {"render", "SCENE", "--accuracy", "mood=1%"}, "--accuracy is such as"},
+        BadFlags{"SetWithoutValue", {"render", "SCENE", "--set", "world.drag"}, "--set"},
+        BadFlags{"SetEmpty", {"render", "SCENE", "--set="}, "--set"},
+        BadFlags{"SetOfNothing", {"render", "SCENE", "--set", "=1"}, "--set"},
+        BadFlags{"SetOfEmptyParts", {"render", "SCENE", "--set", "world..drag=1"}, "--set"},
+        BadFlags{"SetNan", {"render", "SCENE", "--set", "world.drag=nan"}, "must be finite"},
+        BadFlags{"SetTiny", {"render", "SCENE", "--set", "mass.bob.mass=1e-320"}, "so near 0"},
+        BadFlags{"SetOfAStranger", {"render", "SCENE", "--set", "mass.bbo.mass=1"}, "bob"},
+        BadFlags{"SetOfAnEntryBeyond", {"render", "SCENE", "--set", "mass.99.mass=1"}, "99"},
+        BadFlags{"SetASectionToANumber",
+                 {"render", "SCENE", "--set", "world=1"},
+                 "unknown key \"world\" in [solve]"},
+        BadFlags{
+            "SetEntriesToANumber", {"render", "SCENE", "--set", "link=1"}, "unknown key \"link\" in [solve]"},
+        BadFlags{"ShardOfNothing", {"stability", "SCENE", "--shard", "0/0"}, "i from 1 to n"},
+        BadFlags{"ShardBeyond", {"stability", "SCENE", "--shard", "9/8"}, "i from 1 to n"},
+        BadFlags{"ShardHuge", {"stability", "SCENE", "--shard", "1/99999999999999999999"}, "i from 1 to n"},
+        BadFlags{"GridHuge", {"stability", "SCENE", "--grid", "999999x999999"}, "400x400"},
+        BadFlags{"MethodEmpty", {"render", "SCENE", "--method="}, "--method"},
+        BadFlags{"MethodTwice", {"compare", "SCENE", "--methods", "xpbd,xpbd"}, "twice"},
+        BadFlags{"SceneEmpty", {"render", ""}, "no scene"}),
+    [](const auto& test) { return test.param.name; });
+
+// A process that may have 4 GB.
+Ran limited(const std::vector<std::string>& words) {
+  std::string script = "ulimit -v 4000000 && exec '" TAUT_PROGRAM "'";
+  for (const std::string& word : words) script += " '" + word + "'";
+  return run_program("/bin/sh", {"-c", script});
+}
+
+TEST(LimitedMemory, PicturesThatItCannotHoldAreBadRequests) {
+  if (limited({"list", "methods"}).status != 0) GTEST_SKIP() << "this build needs more than that to start";
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("good.toml", small_scene());
+  const Ran ran = limited({"still", scene, "--at", "0", "-o", folder / "a.png", "--size", "16384x16384"});
+  EXPECT_EQ(ran.status, 2) << ran.err;
+  EXPECT_NE(
+      ran.err.find("pictures of 16384x16384 with 4 samples a pixel need about 15 GB, and there are 4.1 GB"),
+      std::string::npos)
+      << ran.err;
+  EXPECT_EQ(folder.entries(), 1U) << "nothing but the scene itself";
+}
+
+TEST(LimitedMemory, ScenesThatItCannotHoldAreBadRequests) {
+  if (limited({"list", "methods"}).status != 0) GTEST_SKIP() << "this build needs more than that to start";
+  const TemporaryFolder folder;
+  const std::string scene = folder.write(
+      "large.toml", "[[chain]]\nname = \"rope\"\nfrom = [0, 0, 0]\nto = [1, 0, 0]\nlinks = 9000000\n");
+  const Ran ran = limited({"check", scene});
+  EXPECT_EQ(ran.status, 2) << ran.err;
+  EXPECT_NE(ran.err.find("this machine has 4.1 GB"), std::string::npos) << ran.err;
+}
+
 }  // namespace
 }  // namespace taut::testing

@@ -23,5 +23,10 @@ TEST(PhysicalMemory, IsThatOfARealMachine) {
   EXPECT_LT(physical_memory(), 1e15);
 }
 
+TEST(UsableMemory, IsNoMoreThanThereIs) {
+  EXPECT_GT(usable_memory(), 0.0);
+  EXPECT_LE(usable_memory(), physical_memory());
+}
+
 }  // namespace
 }  // namespace taut

@@ -1,69 +1,28 @@
 #include "contact/body_contacts.h"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
+#include <limits>
 
 namespace taut {
 namespace {
 
 constexpr double friction = 0.8;  // Coulomb's coefficient between bodies
-constexpr double margin = 0.02;   // m, that a listed pair may be apart
 constexpr double stay = 0.005;    // m, that a ball may move before the list is made anew
 
 }  // namespace
 
-BodyContacts::BodyContacts(const Model& model) : points_(model) {
-  double largest = 0.0;
+std::vector<BodyBall> BodyContacts::touching_balls(const Model& model, std::vector<std::uint32_t>& points) {
+  std::vector<BodyBall> balls;
   for (std::uint32_t i = 0; i < model.contacts.size(); ++i) {
     if (model.contacts[i].body == no_body) continue;
-    balls_.push_back(i);
-    largest = std::max(largest, model.contacts[i].radius);
+    points.push_back(i);
+    balls.push_back({model.contacts[i].radius, model.contacts[i].body});
   }
-  cell_size_ = 2.0 * largest + margin;
-  grid_.begins.resize(2 * std::bit_ceil(balls_.size() + 1) + 1);
+  return balls;
 }
 
-std::size_t BodyContacts::bucket_of(const Cell& cell) const {
-  std::uint64_t hash = 0;
-  for (const std::int64_t at : cell) hash = (hash ^ static_cast<std::uint64_t>(at)) * 0x9e3779b97f4a7c15U;
-  return (hash >> 32U) & (grid_.begins.size() - 2);
-}
-
-// Counting sort of the balls by bucket.
-void BodyContacts::fill_grid(const std::vector<Vec3>& centres) {
-  grid_.cells.resize(balls_.size());
-  grid_.balls.resize(balls_.size());
-  std::fill(grid_.begins.begin(), grid_.begins.end(), 0U);
-  for (std::size_t i = 0; i < balls_.size(); ++i) {
-    for (int axis = 0; axis < 3; ++axis)
-      grid_.cells[i][static_cast<std::size_t>(axis)] =
-          static_cast<std::int64_t>(std::floor(std::clamp(centres[i][axis] / cell_size_, -1e15, 1e15)));
-    ++grid_.begins[bucket_of(grid_.cells[i]) + 1];
-  }
-  for (std::size_t bucket = 1; bucket < grid_.begins.size(); ++bucket)
-    grid_.begins[bucket] += grid_.begins[bucket - 1];
-  std::vector<std::uint32_t> next(grid_.begins.begin(), grid_.begins.end() - 1);
-  for (std::uint32_t i = 0; i < balls_.size(); ++i) grid_.balls[next[bucket_of(grid_.cells[i])]++] = i;
-}
-
-// Pairs of this ball and later ones in the cells around it.
-void BodyContacts::find_pairs(std::uint32_t ball, const std::vector<Vec3>& centres) {
-  const ContactPoint& point = points_.point(balls_[ball]);
-  const Cell& home = grid_.cells[ball];
-  for (int around = 0; around < 27; ++around) {
-    const Cell cell{home[0] + around % 3 - 1, home[1] + around / 3 % 3 - 1, home[2] + around / 9 - 1};
-    const std::size_t bucket = bucket_of(cell);
-    for (std::uint32_t k = grid_.begins[bucket]; k < grid_.begins[bucket + 1]; ++k) {
-      const std::uint32_t other = grid_.balls[k];
-      if (other <= ball || grid_.cells[other] != cell) continue;
-      const ContactPoint& met = points_.point(balls_[other]);
-      const double reach = point.radius + met.radius + margin;
-      if (met.body == point.body || (centres[ball] - centres[other]).squaredNorm() > reach * reach) continue;
-      pairs_.emplace_back(balls_[ball], balls_[other]);
-    }
-  }
-}
+BodyContacts::BodyContacts(const Model& model)
+    : points_(model), near_(touching_balls(model, balls_), contact_margin) {}
 
 bool BodyContacts::moved_since_search(const Vectors& position) const {
   if (centres_.size() != balls_.size()) return true;
@@ -78,12 +37,13 @@ void BodyContacts::begin_step(const std::vector<ContactSlip>& slips, const Vecto
   touched_ = false;
   if (balls_.empty()) return;
   if (moved_since_search(predicted)) {
-    pairs_.clear();
     centres_.clear();
     for (const std::uint32_t point : balls_) centres_.push_back(points_.value(point, predicted));
-    fill_grid(centres_);
-    for (std::uint32_t ball = 0; ball < balls_.size(); ++ball) find_pairs(ball, centres_);
-    std::sort(pairs_.begin(), pairs_.end());
+    near_.find(centres_, std::numeric_limits<std::size_t>::max(), pairs_);
+    for (auto& [a, b] : pairs_) {
+      a = balls_[a];
+      b = balls_[b];
+    }
   }
   frictions_.clear();
   if (!points_.any_static_friction()) return;

@@ -1,17 +1,17 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
 #include "contact/contact_points.h"
 #include "contact/friction.h"
+#include "model/near_balls.h"
 
 namespace taut {
 
-/// Contact between the contact points of different bodies, as balls. Pairs that may meet are looked for once
-/// a step on a hashed grid (Teschner et al., Optimized Spatial Hashing for Collision Detection, 2003).
+/// Contact between the contact points of different bodies, as balls. Pairs that may meet are looked for
+/// when balls have moved.
 class BodyContacts {
  public:
   explicit BodyContacts(const Model& model);
@@ -31,27 +31,15 @@ class BodyContacts {
   void keep(const Vectors& position, std::vector<ContactSlip>& slips) const;
 
  private:
-  using Cell = std::array<std::int64_t, 3>;
-
-  // Tables of the grid, kept to save their memory.
-  struct Grid {
-    std::vector<Cell> cells;            // of each ball
-    std::vector<std::uint32_t> begins;  // of each bucket
-    std::vector<std::uint32_t> balls;   // bucket after bucket
-  };
-
   bool moved_since_search(const Vectors& position) const;
   Vec3 moved(std::uint32_t a, std::uint32_t b, const Vectors& position) const;
-  std::size_t bucket_of(const Cell& cell) const;
-  void fill_grid(const std::vector<Vec3>& centres);
-  void find_pairs(std::uint32_t ball, const std::vector<Vec3>& centres);
+  static std::vector<BodyBall> touching_balls(const Model& model, std::vector<std::uint32_t>& points);
 
   ContactPoints points_;
   std::vector<std::uint32_t> balls_;  // those of the points that touch others
-  double cell_size_ = 0.0;            // m
-  Grid grid_;
-  std::vector<Vec3> centres_;                                   // at the last search
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;  // of points
+  NearBalls near_;
+  std::vector<Vec3> centres_;                // at the last search
+  NearBalls::Pairs pairs_;                   // of points
   std::vector<StickingFriction> frictions_;  // one a pair, of this step; none without static friction
   const Vectors* start_ = nullptr;
   bool touched_ = false;

@@ -1,7 +1,5 @@
 #include "contact/contact_solver.h"
 
-#include <algorithm>
-
 namespace taut {
 namespace {
 
@@ -9,13 +7,16 @@ constexpr double reach_ahead = 0.02;  // m, that links may push something within
 
 }  // namespace
 
-ContactSolver::ContactSolver(const Model& model) : model_(model), points_(model), ground_(model) {
+ContactSolver::ContactSolver(const Model& model)
+    : model_(model), points_(model), ground_(model), solids_(model.colliders) {
   if (touches_only_ground(model)) return;  // which is ground_'s
-  for (std::uint32_t i = 0; i < points_.size(); ++i) {
-    if (points_.weight(i) == 0.0) continue;
-    for (std::uint32_t j = 0; j < model.colliders.size(); ++j)
-      if (!is_plain(points_.point(i)) || as_ground(model.colliders[j]) == nullptr) pairs_.push_back({i, j});
-  }
+  for (std::uint32_t i = 0; i < points_.size(); ++i)
+    if (points_.weight(i) > 0.0) touching_.push_back(i);
+}
+
+// Whether it isn't ground_ that sees to a point on a solid.
+bool ContactSolver::solves(const Pair& pair) const {
+  return !is_plain(points_.point(pair.point)) || as_ground(model_.colliders[pair.collider]) == nullptr;
 }
 
 void ContactSolver::begin_step(const std::vector<ContactSlip>& slips, const Vectors& start,
@@ -25,23 +26,25 @@ void ContactSolver::begin_step(const std::vector<ContactSlip>& slips, const Vect
   start_velocity_ = &velocity;
   near_.clear();
   touches_.clear();
-  for (std::size_t k = 0; k < pairs_.size();) {
-    const std::uint32_t point = pairs_[k].point;
+  for (const std::uint32_t point : touching_) {
     const Vec3 x = points_.value(point, predicted);
-    for (; k < pairs_.size() && pairs_[k].point == point; ++k)
-      if (nearest_surface(model_.colliders[pairs_[k].collider].shape, x).distance <
-          points_.point(point).radius + reach_ahead)
-        near_.push_back(pairs_[k]);
+    const double reach = points_.point(point).radius + reach_ahead;
+    solids_.find(x, reach, around_);
+    for (const std::uint32_t collider : around_)
+      if (solves({point, collider}) && nearest_surface(model_.colliders[collider].shape, x).distance < reach)
+        near_.push_back({point, collider});
   }
+  has_touched_.assign(near_.size(), false);
   frictions_.clear();
   if (!points_.any_static_friction()) return;
   ContactSlipReader known(slips);
   for (const Pair& pair : near_) frictions_.emplace_back(known.slip(pair.point, pair.collider));
 }
 
-void ContactSolver::touch(const Pair& pair, const Vec3& normal) {
-  if (std::any_of(touches_.begin(), touches_.end(), [&](const Touch& known) { return known.pair == pair; }))
-    return;
+void ContactSolver::touch(std::size_t near, const Vec3& normal) {
+  if (has_touched_[near]) return;
+  has_touched_[near] = true;
+  const Pair& pair = near_[near];
   touches_.push_back({pair, normal, points_.value(pair.point, *start_velocity_).dot(normal)});
 }
 
@@ -59,7 +62,7 @@ void ContactSolver::solve(Vectors& position) {
                           ? frictions_[i].hold(collider.friction, depth, surface.normal, moved)
                           : coulomb_friction(collider.friction, depth, surface.normal, moved);
     points_.move(pair.point, surface.normal * depth + held, position);
-    if (collider.restitution > 0.0) touch(pair, surface.normal);
+    if (collider.restitution > 0.0) touch(i, surface.normal);
   }
   touched_ = ground_.solve(*start_, position) || touched_;
 }

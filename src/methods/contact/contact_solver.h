@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "contact/collider_tree.h"
 #include "contact/contact_points.h"
 #include "contact/friction.h"
 #include "contact/ground_contacts.h"
@@ -40,7 +41,6 @@ class ContactSolver {
   // A contact point and a collider.
   struct Pair {
     std::uint32_t point, collider;
-    bool operator==(const Pair&) const = default;
   };
   // Those that have touched in this step.
   struct Touch {
@@ -49,16 +49,20 @@ class ContactSolver {
     double approach;  // m/s along the normal at the start of the step; negative: towards the solid
   };
 
-  void touch(const Pair& pair, const Vec3& normal);
+  bool solves(const Pair& pair) const;
+  void touch(std::size_t near, const Vec3& normal);
 
   const Model& model_;
   ContactPoints points_;
   const Vectors* start_ = nullptr;
   bool touched_ = false;
   const Vectors* start_velocity_ = nullptr;
-  GroundContacts ground_;                    // single masses on the ground …
-  std::vector<Pair> pairs_;                  // … and everything else that can ever touch, point by point
-  std::vector<Pair> near_;                   // that may touch in this step
+  GroundContacts ground_;                // single masses on the ground …
+  std::vector<std::uint32_t> touching_;  // … and points that can ever touch anything else
+  ColliderTree solids_;
+  std::vector<std::uint32_t> around_;        // solids near a point
+  std::vector<Pair> near_;                   // that may touch in this step, point by point
+  std::vector<bool> has_touched_;            // each of those, a solid that gives something back
   std::vector<StickingFriction> frictions_;  // one for each of those; none without static friction
   std::vector<Touch> touches_;               // only of colliders that give something back
 };

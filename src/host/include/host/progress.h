@@ -2,7 +2,10 @@
 
 #include <chrono>
 #include <cstdio>
+#include <optional>
 #include <string>
+
+#include "host/patience.h"
 
 namespace taut {
 
@@ -17,8 +20,8 @@ enum class ProgressStyle {
 /// The style for a stream: a bar on a terminal (coloured unless NO_COLOR is set), lines elsewhere.
 ProgressStyle progress_style(std::FILE* stream, bool quiet);
 
-/// Tells how far something has come, how fast it goes and how long it will take. Not for several threads at
-/// once.
+/// Tells how far something has come, how fast it goes and how long it will take; where it comes no further
+/// for long, that it is still at it. Not for several threads at once.
 class Progress {
  public:
   /// `what` is counted, such as "frames".
@@ -50,6 +53,7 @@ class Progress {
   Clock::time_point start_ = Clock::now();
   double shown_at_ = 0.0;  ///< s since start_
   bool on_line_ = false;   ///< the cursor stands behind a bar
+  std::optional<Patience> patience_;
 };
 
 /// A number of seconds for people: "8 s", "3 min 20 s", "2 h 5 min".

@@ -51,6 +51,9 @@ Surface nearest_surface(const Shape& shape, const Vec3& point);
 
 inline constexpr Index no_body = std::numeric_limits<Index>::max();
 
+/// How far apart (m) bodies may be to be watched for contact.
+inline constexpr double contact_margin = 0.02;
+
 /// A ball that rides on up to four masses and touches colliders: a mass of some size, or a place on a bone.
 struct ContactPoint {
   std::array<Index, 4> masses{};    ///< those without weight repeat the first

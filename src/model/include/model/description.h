@@ -11,6 +11,10 @@
 
 namespace taut {
 
+/// What is nearer to 0 can't be divided by: squares of it are lost, and one over it may be infinite. In any
+/// unit.
+inline constexpr double smallest_divisor = 1e-100;
+
 // A scene's physics as a person writes it: names instead of indices, whole chains and sheets instead of
 // masses. Every number is SI, but angles are in degrees. build() turns it into a Model and the State at the
 // start.

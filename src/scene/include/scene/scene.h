@@ -1,12 +1,14 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "methods/method.h"
 #include "model/description.h"
+#include "model/size.h"
 #include "view/expectation.h"
 #include "view/view.h"
 
@@ -36,12 +38,17 @@ struct SceneOverrides {
       method;  ///< takes the place of solve.method; the scene's keys of other methods are then left out
 };
 
+/// Told what a scene asks for, once that is known and before it is built.
+using BeforeBuilding = std::function<void(const Counts&)>;
+
 /// Reads and builds a scene. Throws BadRequest whose text holds every error of the file, each with file,
 /// line, column, the line, a caret and the nearest right name.
-Scene load_scene(const std::filesystem::path& file, const SceneOverrides& overrides = {});
+Scene load_scene(const std::filesystem::path& file, const SceneOverrides& overrides = {},
+                 const BeforeBuilding& before_building = {});
 
 /// The same from text; `file` is only named in errors.
-Scene parse_scene(const std::string& text, const std::string& file, const SceneOverrides& overrides = {});
+Scene parse_scene(const std::string& text, const std::string& file, const SceneOverrides& overrides = {},
+                  const BeforeBuilding& before_building = {});
 
 /// The scene as TOML with every default filled in; parse_scene() of it gives the same model and start, bit
 /// for bit.

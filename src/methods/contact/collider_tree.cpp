@@ -1,0 +1,90 @@
+#include "contact/collider_tree.h"
+
+#include <algorithm>
+#include <array>
+
+namespace taut {
+namespace {
+
+constexpr std::uint32_t most_in_leaf = 4;
+
+}  // namespace
+
+// Large enough whatever rounding does to distances.
+ColliderTree::Box ColliderTree::box_around(const Shape& shape) {
+  Box around{Vec3::Zero(), Vec3::Zero()};
+  const auto set = [&](const Vec3& a, const Vec3& b, const Vec3& half_size) {
+    around = {a.cwiseMin(b) - half_size, a.cwiseMax(b) + half_size};
+  };
+  if (const auto* sphere = std::get_if<Sphere>(&shape))
+    set(sphere->centre, sphere->centre, Vec3::Constant(sphere->radius));
+  else if (const auto* capsule = std::get_if<Capsule>(&shape))
+    set(capsule->a, capsule->b, Vec3::Constant(capsule->radius));
+  else if (const auto* box = std::get_if<taut::Box>(&shape))
+    set(box->centre, box->centre, box->axes.cwiseAbs() * box->half_size);
+  const Vec3 slack = 1e-9 * (around.low.cwiseAbs() + around.high.cwiseAbs() + Vec3::Ones());
+  return {around.low - slack, around.high + slack};
+}
+
+ColliderTree::ColliderTree(const std::vector<Collider>& colliders) {
+  boxes_.reserve(colliders.size());
+  for (std::uint32_t i = 0; i < colliders.size(); ++i) {
+    boxes_.push_back(box_around(colliders[i].shape));
+    (std::holds_alternative<HalfSpace>(colliders[i].shape) ? everywhere_ : order_).push_back(i);
+  }
+  if (order_.empty()) return;
+  nodes_.emplace_back();
+  divide(0, 0, static_cast<std::uint32_t>(order_.size()));
+}
+
+ColliderTree::Box ColliderTree::box_around(std::uint32_t begin, std::uint32_t end) const {
+  Box around = boxes_[order_[begin]];
+  for (std::uint32_t i = begin + 1; i < end; ++i) {
+    around.low = around.low.cwiseMin(boxes_[order_[i]].low);
+    around.high = around.high.cwiseMax(boxes_[order_[i]].high);
+  }
+  return around;
+}
+
+void ColliderTree::divide(std::uint32_t node, std::uint32_t begin, std::uint32_t end) {
+  nodes_[node] = {box_around(begin, end), begin, end - begin};
+  if (end - begin <= most_in_leaf) return;
+  int axis = 0;
+  (nodes_[node].box.high - nodes_[node].box.low).maxCoeff(&axis);
+  const std::uint32_t middle = begin + (end - begin) / 2;
+  const auto twice_centre = [&](std::uint32_t i) { return boxes_[i].low[axis] + boxes_[i].high[axis]; };
+  std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
+                   [&](std::uint32_t a, std::uint32_t b) { return twice_centre(a) < twice_centre(b); });
+  const auto children = static_cast<std::uint32_t>(nodes_.size());
+  nodes_.resize(nodes_.size() + 2);
+  nodes_[node].first = children;
+  nodes_[node].count = 0;
+  divide(children, begin, middle);
+  divide(children + 1, middle, end);
+}
+
+void ColliderTree::find(const Vec3& place, double reach, std::vector<std::uint32_t>& near) const {
+  near = everywhere_;
+  const Vec3 around = Vec3::Constant(reach);
+  const auto meets = [&](const Box& box) {
+    return ((place + around).array() >= box.low.array()).all() &&
+           ((place - around).array() <= box.high.array()).all();
+  };
+  std::array<std::uint32_t, 64> open{};  // halved at the median, no tree of 32-bit numbers is deeper
+  std::size_t opened = 0;
+  if (!nodes_.empty()) open[opened++] = 0;
+  while (opened > 0) {
+    const Node& node = nodes_[open[--opened]];
+    if (!meets(node.box)) continue;
+    if (node.count == 0) {
+      open[opened++] = node.first;
+      open[opened++] = node.first + 1;
+      continue;
+    }
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
+      if (meets(boxes_[order_[i]])) near.push_back(order_[i]);
+  }
+  std::sort(near.begin(), near.end());
+}
+
+}  // namespace taut
