@@ -10,7 +10,7 @@ bash app/setup.sh run
 cmake --preset release --log-level=WARNING
 cmake --build --preset release -- --quiet
 
-# What another build or another version of a scene made is replaced: status 4 says that this is the case.
+# What a taut that moves or draws otherwise or another version of a scene made is replaced: status 4 says that this is the case.
 render() {
   local status=0
   build/release/taut render "$@" || status=$?

@@ -110,7 +110,7 @@ void RenderJob::record_film(const fs::path& temporary) {
 void RenderJob::keep_film() {
   if (folder) {
     folder->keep_only(film);
-  } else if (film_manifest) {
+  } else if (film_manifest && film_manifest->films.size() > 1) {
     film_manifest->films = {film};
     write_manifest(film_manifest_file(film_file), *film_manifest);
   }
