@@ -7,11 +7,6 @@
 #include "base/bytes.h"
 
 namespace taut {
-namespace {
-
-constexpr double points_a_second = 300.0;
-
-}  // namespace
 
 TrailRecorder::TrailRecorder(const Scene& scene)
     : kept_(scene.look.trail_time > 0.0 ? scene.look.trail_time : infinity) {
@@ -24,7 +19,7 @@ TrailRecorder::TrailRecorder(const Scene& scene)
 }
 
 double TrailRecorder::next() const {
-  return masses_.empty() ? infinity : static_cast<double>(taken_) / points_a_second;
+  return masses_.empty() ? infinity : static_cast<double>(taken_) / trail_points_a_second;
 }
 
 void TrailRecorder::add(const State& state) {

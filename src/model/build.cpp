@@ -104,6 +104,17 @@ bool masses_are_sound(const std::vector<Problem>& problems) {
   });
 }
 
+// Masses by their names, where anything is going to be looked up.
+MassesByName names_in_use(const Description& description, const Masses& masses) {
+  MassesByName by_name;
+  if (description.links.empty() && description.angles.empty() && description.hinges.empty() &&
+      description.cones.empty())
+    return by_name;
+  by_name.reserve(masses.size());
+  for (std::size_t i = 0; i < masses.size(); ++i) by_name.emplace(masses.name[i], static_cast<Index>(i));
+  return by_name;
+}
+
 }  // namespace
 
 std::string nearest_mass(std::string_view name, const Masses& masses, const std::vector<Problem>& problems) {
@@ -136,9 +147,7 @@ Built build(const Description& description) {
   add_masses(builder, description.masses);
   add_solids(builder, description);
   find_crowds(builder, description, built.problems);
-  MassesByName by_name;
-  for (std::size_t i = 0; i < builder.model.masses.size(); ++i)
-    by_name.emplace(builder.model.masses.name[i], static_cast<Index>(i));
+  const MassesByName by_name = names_in_use(description, builder.model.masses);
   add_links(builder, description.links, by_name, built.problems);
   add_loads(builder.model, description.loads, built.problems);
   add_limits(builder, description, by_name, built.problems);

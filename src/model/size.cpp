@@ -6,7 +6,7 @@ namespace taut {
 namespace {
 
 // As measured with sheets and chains of a million links; see docs/scale.md.
-constexpr double bytes_per_mass = 500.0, bytes_per_link = 280.0, bytes_per_triangle = 48.0,
+constexpr double bytes_per_mass = 1150.0, bytes_per_link = 250.0, bytes_per_triangle = 48.0,
                  bytes_per_knot = 120.0;
 constexpr double seconds_per_part = 0.7e-6;
 

@@ -6,6 +6,7 @@
 
 #include "base/diagnostic.h"
 #include "base/failure.h"
+#include "base/memory.h"
 #include "base/nearest.h"
 #include "changes.h"
 #include "methods/registry.h"
@@ -131,9 +132,25 @@ void check_follow(const Node& document, const Scene& scene, Reader& reader) {
                did_you_mean(nearest_name(follow, candidates)));
 }
 
+// Every picture on its way to a file has trails of its own.
+void check_trail_memory(const Node& document, const Scene& scene, Reader& reader) {
+  constexpr double bytes_per_point = 32.0, pictures_on_their_way = 6.0;
+  const double seconds =
+      scene.look.trail_time > 0.0 ? std::min(scene.look.trail_time, scene.duration) : scene.duration;
+  const double bytes = static_cast<double>(scene.look.trails.size()) * seconds * trail_points_a_second *
+                       bytes_per_point * pictures_on_their_way;
+  if (bytes < 0.8 * usable_memory()) return;
+  reader.plain(
+      origin_of(document, {"look", 0, "trails", {}, {}}),
+      fmt::format("{} trails of {:.4g} s need about {}, and there are {}; a shorter trail_time or fewer "
+                  "masses need less",
+                  scene.look.trails.size(), seconds, format_bytes(bytes), format_bytes(usable_memory())));
+}
+
 void check_trails(const Node& document, const Scene& scene, Reader& reader) {
   constexpr std::size_t enough = 50, most_names = 2'000'000;  // names to compare with, all trails together
   if (scene.look.trails.empty()) return;
+  check_trail_memory(document, scene, reader);
   const std::vector<std::string>& names = scene.model.masses.name;
   const std::vector<std::string_view> candidates(names.begin(), names.end());
   const std::unordered_set<std::string_view> known(names.begin(), names.end());

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # How time and memory grow with a scene: sheets of 256² to 1024² masses and chains of a hundred thousand and a
-# million links, by every method that can. Prints a table in Markdown; numbers mean something only in an optimised
-# build on an idle machine.
+# million links, by every method that can. Prints a table in Markdown. Seconds are those of processors, all threads
+# together, which say nearly the same on a busy machine.
 #
 #   tests/bench/scale.sh build/tested/taut [METHOD…]
 set -euo pipefail
@@ -10,7 +10,7 @@ program=$(realpath "$1")
 shift
 methods=("$@")
 [ ${#methods[@]} -gt 0 ] || methods=(xpbd verlet euler shake rattle newton dop853 spring-explicit spring-implicit)
-most=${TAUT_SCALE_SECONDS:-60}  # for one run
+most=${TAUT_SCALE_SECONDS:-60}  # for one run, by the clock
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -28,9 +28,9 @@ chain() {
 # Seconds and megabytes of a command, as two cells; or why there are none.
 measured() {
   local status=0
-  timeout "$most" /usr/bin/time -o "$work/usage" -f '%e %M' "$@" >"$work/said" 2>&1 || status=$?
+  timeout "$most" /usr/bin/time -o "$work/usage" -f '%U %S %M' "$@" >"$work/said" 2>&1 || status=$?
   case $status in
-    0) awk '{ printf "%.1f | %.0f", $1, $2 / 1024 }' "$work/usage" ;;
+    0) awk '{ printf "%.1f | %.0f", $1 + $2, $3 / 1024 }' "$work/usage" ;;
     124) printf 'more than %s | –' "$most" ;;
     2) printf "can't | –" ;;
     *) printf 'fails | –' ;;

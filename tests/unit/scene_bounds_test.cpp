@@ -115,6 +115,17 @@ TEST(SceneBounds, DistancesNextToNothingHaveNoDirection) {
             std::string::npos);
 }
 
+TEST(SceneBounds, TrailsMustFitTheMemory) {
+  const auto with_trails = [](const std::string& more) {
+    return chain_of(20'000) + "[world]\nduration = 3600\n[look]\ntrails = " +
+           list_of(20'000, [](int i) { return fmt::format("rope.{}", i); }) + more;
+  };
+  const std::string errors = errors_of(with_trails("\n"));
+  EXPECT_TRUE(errors.starts_with("f.toml:9:1: 20000 trails of 3600 s need about 4.15 TB, and there are "))
+      << errors.substr(0, 200);
+  EXPECT_EQ(errors_of(with_trails("\ntrail_time = 0.1\n")), "");
+}
+
 TEST(SceneBounds, TheSizeIsToldBeforeItIsBuilt) {
   std::optional<Counts> told;
   parse_scene(chain_of(1000), "f.toml", {}, [&](const Counts& counts) { told = counts; });

@@ -34,6 +34,9 @@ enum class Pattern { plain, checker, woven };
 /// The families of links that a look may name; a sheet has all three.
 inline constexpr std::array<std::string_view, 3> link_families{"structural", "diagonals", "skip_one"};
 
+/// How many points a trail has of each second of a scene.
+inline constexpr double trail_points_a_second = 300.0;
+
 /// What is drawn and how.
 struct Look {
   bool masses = true;
