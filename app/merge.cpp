@@ -38,19 +38,17 @@ int merge_all_frames(const std::vector<fs::path>& folders, const fs::path& into,
   if (!merged.missing.empty())
     tell("taut: {}: frames {} are missing\n", into.string(), selection_text(merged.missing));
   if (!flags.quiet)
-    tell("{}: {} frames{}\n", into.string(), merged.count,
-               merged.film_made ? ", film in " + flags.film : "");
+    tell("{}: {} frames{}\n", into.string(), merged.count, merged.film_made ? ", film in " + flags.film : "");
   return merged.missing.empty() ? exit_done : exit_incomplete;
 }
 
 int merge_all_cases(const std::vector<fs::path>& folders, const fs::path& into, const MergeFlags& flags) {
   int status = exit_done;
   for (const MergedCases& merged : merge_cases(folders, into)) {
-    for (const std::string& hole : merged.holes)
-      tell("taut: {}: {}\n", merged.file.string(), hole);
+    for (const std::string& hole : merged.holes) tell("taut: {}: {}\n", merged.file.string(), hole);
     if (!flags.quiet)
-      tell("{}: {} cases of {} shards; the same command without --shard draws them\n",
-                 merged.file.string(), merged.count, merged.shards);
+      tell("{}: {} cases of {} shards; the same command without --shard draws them\n", merged.file.string(),
+           merged.count, merged.shards);
     if (!merged.holes.empty()) status = exit_incomplete;
   }
   return status;

@@ -50,7 +50,8 @@ int draw_motion(const RenderFlags& flags) {
 
 int render(const RenderFlags& flags) {
   if (!flags.motion.empty()) return draw_motion(flags);
-  if (flags.scene.scene.empty()) throw BadRequest("render needs a SCENE, or --motion FOLDER");
+  if (flags.scene.scene.empty())
+    throw BadRequest("there is no scene to render: name a SCENE, or --motion FOLDER");
   Scene scene = load(flags.scene.scene, flags.scene.overrides(), flags.output.quiet);
   print_notes(scene, flags.output.quiet);
   flags.output.picture.apply_to(scene);

@@ -81,8 +81,8 @@ int sag(const SagFlags& flags) {
   progress.finish();
   if (!request.shard.all()) {
     if (!flags.quiet)
-      tell("{}: {} shapes, in {}; run without --shard afterwards to draw\n", scene.name, study->entries.size(),
-           folder);
+      tell("{}: {} shapes, in {}; run without --shard afterwards to draw\n", scene.name,
+           study->entries.size(), folder);
     return exit_done;
   }
   const int written = unless_interrupted(interrupts, "not all was written", [&] {

@@ -48,8 +48,8 @@ void print_motion(const Scene& scene, const MotionRequest& request, const Motion
   tell("{}: {} of {} moments", scene.name, outcome.there, outcome.asked);
   if (outcome.kept > 0) tell(", {} of them there already", outcome.kept);
   if (outcome.resumed_at > 0) tell(", went on at frame {}", outcome.resumed_at);
-  tell(", in {}, {:.1f} MB, {:.1f} s\n", request.folder.string(),
-             1e-6 * static_cast<double>(outcome.bytes), outcome.seconds);
+  tell(", in {}, {:.1f} MB, {:.1f} s\n", request.folder.string(), 1e-6 * static_cast<double>(outcome.bytes),
+       outcome.seconds);
 }
 
 int simulate_scene(const SimulateFlags& flags) {

@@ -33,21 +33,19 @@ int verify_output(const VerifyFlags& flags) {
     const Verification found = verify(flags.output, flags.deep, progress, stop_test(interrupts));
     if (flags.json)
       print_result("{}\n", nlohmann::ordered_json{{"output", flags.output},
-                                                {"whole", found.faults.empty()},
-                                                {"checked", found.checked},
-                                                {"faults", found.faults},
-                                                {"notes", found.notes},
-                                                {"frames_missing", found.missing}}
-                             .dump(2));
+                                                  {"whole", found.faults.empty()},
+                                                  {"checked", found.checked},
+                                                  {"faults", found.faults},
+                                                  {"notes", found.notes},
+                                                  {"frames_missing", found.missing}}
+                               .dump(2));
     for (const std::string& fault : found.faults) tell("taut: {}: {}\n", flags.output, fault);
     if (!flags.quiet) {
       for (const std::string& note : found.notes) tell("taut: note: {}\n", note);
       if (!found.missing.empty())
-        tell("taut: note: frames {} of the film were not made\n",
-                   selection_text(found.missing));
-      tell("{}: {} checked{}, {}\n", flags.output, found.checked,
-                 flags.deep ? " and simulated again" : "",
-                 found.faults.empty() ? "whole" : fmt::format("{} faults", found.faults.size()));
+        tell("taut: note: frames {} of the film were not made\n", selection_text(found.missing));
+      tell("{}: {} checked{}, {}\n", flags.output, found.checked, flags.deep ? " and simulated again" : "",
+           found.faults.empty() ? "whole" : fmt::format("{} faults", found.faults.size()));
     }
     return status_of(found);
   });

@@ -17,7 +17,8 @@ namespace fs = std::filesystem;
 std::map<std::string, std::string> frames_in(const fs::path& folder) {
   std::map<std::string, std::string> frames;
   for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.path().extension() == ".png") frames[entry.path().filename().string()] = read_file(entry.path());
+    if (entry.path().extension() == ".png")
+      frames[entry.path().filename().string()] = read_file(entry.path());
   return frames;
 }
 
@@ -25,7 +26,8 @@ std::map<std::string, std::string> frames_in(const fs::path& folder) {
 TEST(Cluster, FramesByGnuParallel) {
   const TemporaryFolder folder;
   const std::string scene = folder.write("small.toml", small_scene() + "[look]\ntrails = [\"bob\"]\n");
-  const std::string script = "TAUT='" TAUT_PROGRAM "' bash '" TAUT_SOURCE_DIR "/docs/cluster/frames-parallel.sh' '" +
+  const std::string script = "TAUT='" TAUT_PROGRAM "' bash '" TAUT_SOURCE_DIR
+                             "/docs/cluster/frames-parallel.sh' '" +
                              scene + "' 4 '" + (folder / "out") + "' --size 96x64";
   const std::string stopped =
       "setsid sh -c \"" + script + "\" & job=$!; for i in $(seq 500); do ls '" + (folder / "out/frames") +
@@ -33,7 +35,8 @@ TEST(Cluster, FramesByGnuParallel) {
   EXPECT_NE(run_program("/bin/bash", {"-c", stopped}).status, 0);
   const Ran ran = run_program("/bin/bash", {"-c", script});
   ASSERT_EQ(ran.status, 0) << ran.out << ran.err;
-  ASSERT_EQ(taut({"render", scene, "-o", folder / "whole", "--film", folder / "whole.mp4", "--size", "96x64"}).status,
+  ASSERT_EQ(taut({"render", scene, "-o", folder / "whole", "--film", folder / "whole.mp4", "--size", "96x64"})
+                .status,
             0);
   const auto whole = frames_in(folder / "whole");
   EXPECT_EQ(whole.size(), 30U);

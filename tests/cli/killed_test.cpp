@@ -191,12 +191,15 @@ TEST_F(KilledTest, Merge) {
 TEST_F(KilledTest, GoesOnFromTheLastCheckpoint) {
   const std::string motion = folder_ / "motion";
   const std::string script =
-      fmt::format("'" TAUT_PROGRAM "' simulate '{0}' --set world.duration=12 -o '{1}' & process=$!; "
+      fmt::format("'" TAUT_PROGRAM
+                  "' simulate '{0}' --set world.duration=12 -o '{1}' & process=$!; "
                   "while kill -0 $process && [ ! -e '{1}/checkpoint.bin' ]; do sleep 0.01; done; "
                   "kill -KILL $process; wait $process",
                   scene_, motion);
-  ASSERT_EQ(run_program("/bin/sh", {"-c", script}, environment_).status, 137) << "it ended before a checkpoint";
-  const Ran ran = taut({"simulate", scene_, "--set", "world.duration=12", "-o", motion, "--json"}, environment_);
+  ASSERT_EQ(run_program("/bin/sh", {"-c", script}, environment_).status, 137)
+      << "it ended before a checkpoint";
+  const Ran ran =
+      taut({"simulate", scene_, "--set", "world.duration=12", "-o", motion, "--json"}, environment_);
   ASSERT_EQ(ran.status, 0) << ran.err;
   const Json outcome = Json::parse(ran.out);
   EXPECT_GT(outcome["resumed_at_frame"], 1);
