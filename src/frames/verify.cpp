@@ -32,6 +32,7 @@ std::vector<Scene> scenes_of(const Manifest& manifest) {
   std::vector<std::string> tomls{manifest.scene_toml};
   tomls.insert(tomls.end(), manifest.other_tomls.begin(), manifest.other_tomls.end());
   std::vector<Scene> scenes;
+  scenes.reserve(tomls.size());
   for (const std::string& toml : tomls) scenes.push_back(parse_scene(toml, manifest.scene));
   return scenes;
 }
