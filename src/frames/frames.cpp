@@ -15,6 +15,7 @@
 
 #include "base/processor_time.h"
 #include "bounded_queue.h"
+#include "film_making.h"
 #include "first_failure.h"
 #include "frames/captions.h"
 #include "frames/film_frames.h"
@@ -87,22 +88,6 @@ struct Drawn {
   Submitted frame;
   PanelPainter::Drawn panels;
 };
-
-void begin_film(std::optional<Film>& film, const FilmSettings& settings) {
-  if (settings.file.has_parent_path() && !is_film_stream(settings.file))
-    make_folder(settings.file.parent_path());
-  film.emplace(settings);
-}
-
-// The manifest knows the film before it has its name: whatever moment the program ends at, no film stands
-// there that nothing is known of.
-void finish_film(Film& film, RenderJob& job, StageClock& clock, const StopTest& stop) {
-  clock.add(Stage::encode, film.finish(stop));
-  if (is_film_stream(job.film_file)) return;
-  job.record_film(film.file());
-  film.commit();
-  job.keep_film();
-}
 
 // One run from scene to frames. Each stage hands on to the next through a queue; whoever ends closes the
 // queue it hands to, and whoever fails makes all others stop.
@@ -378,29 +363,6 @@ void Pipeline::finish(std::optional<Film>& film) {
   if (job_.folder && whole && !failure_.any() && !stopped_) job_.folder->remove_checkpoint();
   failure_.rethrow();
   step_failure_.rethrow();
-}
-
-// Every frame is there: nothing is simulated or drawn.
-RenderOutcome film_from_files(const RenderRequest& request, std::size_t panels, RenderJob& job,
-                              Progress& progress, const StopTest& stop) {
-  const auto start = std::chrono::steady_clock::now();
-  RenderOutcome outcome;
-  outcome.shown = outcome.kept = job.frames.size();
-  StageClock clock;
-  job.folder->begin();
-  std::optional<Film> film;
-  begin_film(film, film_settings(request, panels));
-  FilmSink sink(*film, &*job.folder, job.frames, clock);
-  progress.start(static_cast<int>(job.frames.size()));
-  try {
-    sink.begin(stop, [&](int done) { progress.update(done); });
-    finish_film(*film, job, clock, stop);
-  } catch (const Interrupted&) {
-    outcome.stopped = true;
-  }
-  progress.finish();
-  outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return outcome;
 }
 
 RenderOutcome settle_and_run(std::span<Scene> scenes, const RenderRequest& request, RenderJob& job,

@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "base/failure.h"
+#include "film_making.h"
 #include "film_records.h"
 #include "frames/frame_folder.h"
 #include "frames/frame_selection.h"
@@ -76,19 +77,15 @@ void make_film(FrameFolder& folder, const fs::path& into, const fs::path& file, 
   const std::string name = film_name_from(into, file), frames = fmt::format("1-{}", manifest.frame_count);
   if (!is_film_stream(file))
     if (const FilmRecord* there = known_film(manifest, name, file); there && there->frames == frames) return;
+  std::vector<int> numbers;
+  numbers.reserve(manifest.frames.size());
+  for (const auto& [frame, record] : manifest.frames) numbers.push_back(frame);
+  const fs::path first = folder.frame_file(numbers.front());
+  const bool transparent = decode_png(bytes_of_file(first).value_or(""), first).channels == 4;
   std::optional<Film> film;
-  for (const auto& [frame, record] : manifest.frames) {
-    stop_if_told(stop);
-    const fs::path picture = folder.frame_file(frame);
-    const Image image = decode_png(bytes_of_file(picture).value_or(""), picture);
-    if (!film) {
-      if (file.has_parent_path() && !is_film_stream(file)) make_folder(file.parent_path());
-      film.emplace(
-          FilmSettings{file, manifest.size, frame_rate_from(manifest.frame_rate).value_or(FrameRate{}),
-                       image.channels == 4, thread_budget(static_cast<int>(this_machine().threads)).film});
-    }
-    film->add(image, stop);
-  }
+  begin_film(film, {file, manifest.size, frame_rate_from(manifest.frame_rate).value_or(FrameRate{}),
+                    transparent, thread_budget(static_cast<int>(this_machine().threads)).film});
+  add_from_files(*film, folder, numbers, stop);
   film->finish(stop);
   if (is_film_stream(file)) return;
   const FilmRecord made = film_record(name, frames, film->file());

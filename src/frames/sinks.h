@@ -1,9 +1,9 @@
 #pragma once
 
-#include <functional>
 #include <map>
 #include <vector>
 
+#include "film_making.h"
 #include "frame_sink.h"
 #include "frames/frame_folder.h"
 #include "output/film.h"
@@ -40,9 +40,9 @@ class FilmSink final : public FrameSink {
   FilmSink(Film& film, const FrameFolder* folder, std::vector<int> done, StageClock& clock)
       : film_(film), folder_(folder), done_(std::move(done)), clock_(clock) {}
 
-  void begin(const StopTest& stop) override { begin(stop, {}); }
-  /// The same; `added` is told how many frames are in the film.
-  void begin(const StopTest& stop, const std::function<void(int)>& added);
+  void begin(const StopTest& stop) override {
+    if (folder_ != nullptr) clock_.time(Stage::feed, [&] { add_from_files(film_, *folder_, done_, stop); });
+  }
   bool wants(int /*frame*/, const std::string& /*state_hash*/) const override { return true; }
   bool wants_png() const override { return false; }
   void take(const FinishedFrame& frame, const StopTest& stop) override {

@@ -1,0 +1,64 @@
+#include "film_making.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "base/failure.h"
+#include "output/atomic_file.h"
+#include "output/content_hash.h"
+#include "output/png_read.h"
+
+namespace taut {
+
+void begin_film(std::optional<Film>& film, const FilmSettings& settings) {
+  if (settings.file.has_parent_path() && !is_film_stream(settings.file))
+    make_folder(settings.file.parent_path());
+  film.emplace(settings);
+}
+
+void add_from_files(Film& film, const FrameFolder& folder, std::span<const int> frames, const StopTest& stop,
+                    const std::function<void(int)>& added) {
+  int count = 0;
+  for (const int frame : frames) {
+    stop_if_told(stop);
+    const std::filesystem::path file = folder.frame_file(frame);
+    const std::optional<std::string> bytes = bytes_of_file(file);
+    if (!bytes) throw RunFailure(fmt::format("{} has gone", file.string()));
+    film.add(decode_png(*bytes, file), stop);
+    if (added) added(++count);
+  }
+}
+
+// The manifest knows the film before it has its name: whatever moment the program ends at, no film stands
+// there that nothing is known of.
+void finish_film(Film& film, RenderJob& job, StageClock& clock, const StopTest& stop) {
+  clock.add(Stage::encode, film.finish(stop));
+  if (is_film_stream(job.film_file)) return;
+  job.record_film(film.file());
+  film.commit();
+  job.keep_film();
+}
+
+RenderOutcome film_from_files(const RenderRequest& request, std::size_t panels, RenderJob& job,
+                              Progress& progress, const StopTest& stop) {
+  const auto start = std::chrono::steady_clock::now();
+  RenderOutcome outcome;
+  outcome.shown = outcome.kept = job.frames.size();
+  StageClock clock;
+  job.folder->begin();
+  std::optional<Film> film;
+  begin_film(film, film_settings(request, panels));
+  progress.start(static_cast<int>(job.frames.size()));
+  try {
+    add_from_files(*film, *job.folder, job.frames, stop, [&](int done) { progress.update(done); });
+    finish_film(*film, job, clock, stop);
+  } catch (const Interrupted&) {
+    outcome.stopped = true;
+  }
+  progress.finish();
+  outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return outcome;
+}
+
+}  // namespace taut
