@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -15,6 +14,7 @@
 
 #include "base/failure.h"
 #include "base/hash.h"
+#include "output/folder_lock.h"
 #include "output/packed.h"
 
 namespace taut {
@@ -111,7 +111,7 @@ MotionWriter::~MotionWriter() {
 }
 
 void MotionWriter::open(std::string_view header, bool overwrite) {
-  if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
+  if (!lock_file(descriptor_)) {
     if (errno != EWOULDBLOCK) motion_file_fails(file_, "lock", errno);
     throw RunFailure(fmt::format("another taut is working on {}", file_.string()));
   }
