@@ -40,8 +40,8 @@ struct Pose {
 /// Draws the states of one scene. Each step may run in a thread of its own, one at a time in each.
 class Painter {
  public:
-  /// Refers to the scene, whose view is settled, from then on. Throws BadRequest for pictures that memory can't
-  /// hold, RunFailure when there is no way to draw.
+  /// Refers to the scene, whose view is settled, from then on. Throws BadRequest for pictures that memory
+  /// can't hold, RunFailure when there is no way to draw.
   Painter(const Scene& scene, const PictureSettings& settings);
   ~Painter();
   Painter(const Painter&) = delete;
