@@ -26,8 +26,9 @@ std::string run_note(const Scene& scene) {
   const double bytes = bytes_needed(count(scene.description));
   const double seconds = predicted_seconds(scene.model, scene.settings, scene.duration);
   if (seconds < long_simulation && bytes < much_memory) return {};
-  return fmt::format("to simulate all {:.4g} s with {} takes about {} and {}", scene.duration,
-                     scene.settings.method, format_bytes(bytes), duration_text(seconds));
+  const std::string memory = bytes < much_memory ? "" : fmt::format("{} and ", format_bytes(bytes));
+  return fmt::format("to simulate all {:.4g} s with {} takes about {}{}", scene.duration,
+                     scene.settings.method, memory, duration_text(seconds));
 }
 
 }  // namespace taut

@@ -130,7 +130,7 @@ TEST(CheckNotes, SaysWhatALongRunWillTake) {
   const TemporaryFolder folder;
   const std::string scene = folder.write("small.toml", small_scene());
   const std::vector<std::string> words{
-      "check", scene, "--set", "world.duration=3600", "--set", "steps_per_second=100000"};
+      "check", scene, "--set", "world.duration=3600", "--set", "steps_per_second=1000000"};
   const Ran ran = taut(words);
   EXPECT_EQ(ran.status, 0) << ran.err;
   EXPECT_NE(ran.err.find("small: note: to simulate all 3600 s with xpbd takes about "), std::string::npos)
