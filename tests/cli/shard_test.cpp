@@ -161,21 +161,21 @@ TEST_F(ShardTest, MapsOfFourShardsAreThoseOfOneProcess) {
 
 TEST_F(ShardTest, ChartsAndSagSheetsToo) {
   const Environment environment{{"TAUT_CACHE", folder_ / "cache"}};
-  const auto chart = [&](const std::string& name, const Words& more) {
+  const auto run_chart = [&](const std::string& name, const Words& more) {
     Words words{"chart", "pendulum", "--methods", "rattle,verlet", "--horizon", "0.3s", "-o", folder_ / name};
     words.insert(words.end(), more.begin(), more.end());
     return taut(words, environment).status;
   };
   const auto errors = [&](const std::string& name) {
     std::map<std::string, Json> by_settings;
-    for (const Json& one : Json::parse(read_file(fs::path(folder_ / name) / "pendulum.json"))["cases"])
-      by_settings[one["settings"].dump()] = one["errors"];
+    const Json chart = Json::parse(read_file(fs::path(folder_ / name) / "pendulum.json"));
+    for (const Json& one : chart["cases"]) by_settings[one["settings"].dump()] = one["errors"];
     return by_settings;
   };
-  ASSERT_EQ(chart("whole", {}), 0);
-  for (const std::string part : {"1/2", "2/2"}) ASSERT_EQ(chart("parts", {"--shard", part}), 0);
+  ASSERT_EQ(run_chart("whole", {}), 0);
+  for (const std::string part : {"1/2", "2/2"}) ASSERT_EQ(run_chart("parts", {"--shard", part}), 0);
   EXPECT_EQ(taut({"merge", folder_ / "parts"}).status, 0);
-  ASSERT_EQ(chart("parts", {}), 0);
+  ASSERT_EQ(run_chart("parts", {}), 0);
   EXPECT_EQ(errors("whole"), errors("parts"));
 
   const auto sag = [&](const std::string& name, const Words& more) {
