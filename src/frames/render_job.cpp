@@ -134,7 +134,7 @@ RenderJob make_render_job(std::span<const Scene> scenes, const RenderRequest& re
   if (request.film) check_film_settings(film_settings(request, scenes.size()));
 
   if (request.motion) require_moments(scenes.front(), request, job.frames);
-  Manifest wanted = frames_manifest(scenes, request);
+  const Manifest wanted = frames_manifest(scenes, request);
   job.inputs = wanted.inputs;
   if (request.folder) job.folder.emplace(*request.folder, wanted, request.shard, request.overwrite);
   if (request.film) settle_film(job, request, wanted);

@@ -206,5 +206,25 @@ TEST_F(KilledTest, GoesOnFromTheLastCheckpoint) {
   EXPECT_LE(outcome["resumed_at_frame"].get<int>(), outcome["frames"]["kept"].get<int>() + 1);
 }
 
+// A film that is gone on with takes the frames before the checkpoint from their files.
+TEST_F(KilledTest, AFilmGoesOnFromTheLastCheckpoint) {
+  const auto words = [&](const std::string& name) {
+    return fmt::format("'" TAUT_PROGRAM
+                       "' render '{}' --set world.duration=12 --size 64x48 -o '{}' --film '{}.mp4'",
+                       scene_, folder_ / name, folder_ / name);
+  };
+  const std::string script = fmt::format(
+      "{} & process=$!; while kill -0 $process && [ ! -e '{}/checkpoint.bin' ]; do sleep 0.01; done; "
+      "kill -KILL $process; wait $process",
+      words("killed"), folder_ / "killed");
+  ASSERT_EQ(run_program("/bin/sh", {"-c", script}).status, 137) << "it ended before a checkpoint";
+  const Ran again = run_program("/bin/sh", {"-c", words("killed")});
+  ASSERT_EQ(again.status, 0) << again.err;
+  EXPECT_NE(again.err.find("went on at frame"), std::string::npos) << again.err;
+  ASSERT_EQ(run_program("/bin/sh", {"-c", words("whole")}).status, 0);
+  EXPECT_TRUE(read_file(folder_ / "whole.mp4") == read_file(folder_ / "killed.mp4"));
+  EXPECT_EQ(files_in(folder_ / "whole", ".png"), files_in(folder_ / "killed", ".png"));
+}
+
 }  // namespace
 }  // namespace taut::testing
