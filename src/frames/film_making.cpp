@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
-
 #include "base/failure.h"
+#include "base/stopwatch.h"
 #include "output/atomic_file.h"
 #include "output/content_hash.h"
 #include "output/png_read.h"
@@ -42,7 +41,7 @@ void finish_film(Film& film, RenderJob& job, StageClock& clock, const StopTest& 
 
 RenderOutcome film_from_files(const RenderRequest& request, std::size_t panels, RenderJob& job,
                               Progress& progress, const StopTest& stop) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   RenderOutcome outcome;
   outcome.shown = outcome.kept = job.frames.size();
   StageClock clock;
@@ -57,7 +56,7 @@ RenderOutcome film_from_files(const RenderRequest& request, std::size_t panels, 
     outcome.stopped = true;
   }
   progress.finish();
-  outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  outcome.seconds = watch.seconds();
   return outcome;
 }
 

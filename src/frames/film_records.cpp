@@ -11,7 +11,19 @@
 
 namespace taut {
 
+namespace {
+
 namespace fs = std::filesystem;
+
+// What a manifest says of a film of that name, where that film is still the one on disk; else null.
+const FilmRecord* film_on_disk(const Manifest& manifest, const std::string& name, const fs::path& file) {
+  const std::optional<std::string> content = content_hash(file);
+  const auto found = std::ranges::find_if(
+      manifest.films, [&](const FilmRecord& film) { return film.file == name && film.content == content; });
+  return content && found != manifest.films.end() ? &*found : nullptr;
+}
+
+}  // namespace
 
 std::string film_name_from(const fs::path& folder, const fs::path& film) {
   std::error_code error;
@@ -22,13 +34,6 @@ std::string film_name_from(const fs::path& folder, const fs::path& film) {
 
 fs::path film_manifest_file(const fs::path& film) {
   return film.parent_path() / fmt::format(".{}.json", film.filename().string());
-}
-
-const FilmRecord* film_on_disk(const Manifest& manifest, const std::string& name, const fs::path& file) {
-  const std::optional<std::string> content = content_hash(file);
-  const auto found = std::ranges::find_if(
-      manifest.films, [&](const FilmRecord& film) { return film.file == name && film.content == content; });
-  return content && found != manifest.films.end() ? &*found : nullptr;
 }
 
 const FilmRecord* known_film(const Manifest& manifest, const std::string& name, const fs::path& file) {

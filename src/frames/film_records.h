@@ -14,10 +14,6 @@ std::string film_name_from(const std::filesystem::path& folder, const std::files
 /// The manifest of a film that has no folder of frames: a hidden file beside it.
 std::filesystem::path film_manifest_file(const std::filesystem::path& film);
 
-/// What a manifest says of a film of that name, where that film is still the one on disk; else null.
-const FilmRecord* film_on_disk(const Manifest& manifest, const std::string& name,
-                               const std::filesystem::path& file);
-
 /// Throws OutputConflict where a file is there that the manifest doesn't know as its film; gives what it
 /// knows of it, or null where there is no such file.
 const FilmRecord* known_film(const Manifest& manifest, const std::string& name,

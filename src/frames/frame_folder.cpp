@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <system_error>
 #include <utility>
 #include <vector>
 
 #include "base/failure.h"
 #include "base/hash.h"
+#include "base/stopwatch.h"
 #include "output/atomic_file.h"
 #include "output/content_hash.h"
 
@@ -57,7 +57,7 @@ std::map<std::string, Manifest> manifests_in(const fs::path& folder) {
 }
 
 std::string manifest_name(const Shard& shard) {
-  return shard.all() ? "manifest.json" : fmt::format("manifest-{}-of-{}.json", shard.index, shard.count);
+  return fmt::format("manifest{}.json", shard.suffix());
 }
 
 fs::path frame_file(const fs::path& folder, int frame) {
@@ -128,8 +128,7 @@ void FrameFolder::remove_frames() const {
 }
 
 fs::path FrameFolder::checkpoint_file() const {
-  return folder_ / (shard_.all() ? "checkpoint.bin"
-                                 : fmt::format("checkpoint-{}-of-{}.bin", shard_.index, shard_.count));
+  return folder_ / (fmt::format("checkpoint{}.bin", shard_.suffix()));
 }
 
 void FrameFolder::write(int frame, std::span<const std::uint8_t> png, const std::string& state_hash) {
@@ -172,9 +171,9 @@ void FrameFolder::keep_only(const FilmRecord& film) {
 }
 
 void FrameFolder::save() {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   write_manifest(manifest_file(), manifest_);
-  clock_->begun(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  clock_->begun(watch.seconds());
 }
 
 }  // namespace taut

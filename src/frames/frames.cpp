@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <deque>
 #include <future>
 #include <list>
@@ -14,9 +13,11 @@
 #include <utility>
 
 #include "base/processor_time.h"
+#include "base/stopwatch.h"
 #include "bounded_queue.h"
 #include "film_making.h"
 #include "first_failure.h"
+#include "frame_on_its_way.h"
 #include "frames/captions.h"
 #include "frames/film_frames.h"
 #include "frames/panels.h"
@@ -38,26 +39,6 @@ namespace {
 // How Mesa names the threads that fill pixels.
 constexpr std::string_view rasteriser_threads = "llvmpipe-";
 
-// A moment on its way from the simulation to what is seen of it.
-struct Posed {
-  int frame = 0;
-  std::string hash;
-  std::shared_ptr<const Checkpoint> checkpoint;  // from which it can be simulated; mostly none
-  std::vector<PanelState> panels;
-  std::vector<Caption> captions;  // one a panel, where they are wanted
-};
-
-// What is seen of a moment, on its way to OpenGL.
-struct Shaped {
-  int frame = 0;
-  std::string hash;
-  std::shared_ptr<const Checkpoint> checkpoint;
-  PanelPainter::Shapes shapes;
-  std::vector<Caption> captions;
-};
-
-using Finished = std::shared_ptr<const FinishedFrame>;
-
 // Waits for a frame; null where whoever was to draw it failed, and says so itself. Throws what went wrong
 // later.
 Finished unless_lost(const std::shared_future<Finished>& frame) {
@@ -67,27 +48,6 @@ Finished unless_lost(const std::shared_future<Finished>& frame) {
     return nullptr;
   }
 }
-
-// A sink, and the frames on their way to it: in order, and not all of them done.
-struct Lane {
-  explicit Lane(FrameSink& where) : sink(where) {}
-
-  FrameSink& sink;
-  BoundedQueue<std::shared_future<Finished>> frames{4};
-  std::size_t let_go = 0;  // when told to stop: at the size of a cinema's screen waiting takes too long
-};
-
-// What OpenGL has been told to draw. Whoever waits for it is told when it is lost, too.
-struct Submitted : Shaped {
-  std::promise<Finished> finished;
-  bool as_png = false;
-};
-
-// Parts of pictures, to be laid together and compressed.
-struct Drawn {
-  Submitted frame;
-  PanelPainter::Drawn panels;
-};
 
 // One run from scene to frames. Each stage hands on to the next through a queue; whoever ends closes the
 // queue it hands to, and whoever fails makes all others stop.
@@ -313,7 +273,7 @@ void Pipeline::run_stages(PanelRuns& runs, PanelPainter& painter) {
 }
 
 RenderOutcome Pipeline::run() {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   PanelRuns runs = begin_runs();  // first of all: what a method refuses is said before anything is written
   // So is that there is no way to draw, or no exact shape.
   PanelPainter painter(scenes_, request_.picture);
@@ -342,7 +302,7 @@ RenderOutcome Pipeline::run() {
   outcome_.note = notes_.text();
   finish(film);
   outcome_.stages = clock_.seconds();
-  outcome_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  outcome_.seconds = watch.seconds();
   return outcome_;
 }
 

@@ -51,12 +51,13 @@ bool same_folder(const fs::path& a, const fs::path& b) {
 
 // Takes a part's whole frames over into the folder.
 void take(const Part& part, FrameFolder& folder, const fs::path& into, const StopTest& stop) {
+  const bool copy = !same_folder(part.folder, into);
   for (const auto& [frame, record] : part.manifest.frames) {
     stop_if_told(stop);
     if (folder.has(frame)) continue;
     const std::optional<std::string> bytes = bytes_of_file(frame_file(part.folder, frame));
     if (!bytes || content_hash_of(*bytes) != record.content) continue;
-    if (!same_folder(part.folder, into)) write_file(folder.frame_file(frame), *bytes);
+    if (copy) write_file(folder.frame_file(frame), *bytes);
     folder.add(frame, record);
   }
 }

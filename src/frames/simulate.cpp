@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <system_error>
 
 #include "base/failure.h"
-#include "base/hash.h"
+#include "base/stopwatch.h"
 #include "frames/film_frames.h"
 #include "frames/frame_folder.h"
 #include "frames/frame_selection.h"
@@ -20,10 +19,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view motion_file_name = "motion.bin";
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 FrameRecord record_of(const MotionRecord& record) {
   return {fmt::format("{:016x}", record.state_hash), fmt::format("{:016x}", record.content)};
@@ -59,12 +54,12 @@ class MotionRun {
  private:
   void keep_checkpoint(Simulation& simulation, int frame, double time, const StopTest& stop) {
     if (!clock_.due()) return;
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     std::optional<std::string> state = simulation.save_before(time, stop);
     if (!state) return;
     writer_.sync();
     folder_.write(Checkpoint{frame, *std::move(state)});
-    clock_.begun(seconds_since(start));
+    clock_.begun(watch.seconds());
   }
 
   const Scene& scene_;
@@ -78,7 +73,7 @@ class MotionRun {
 
 MotionOutcome simulate_motion(const Scene& scene, const MotionRequest& request, Progress& progress,
                               const StopTest& stop) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   MotionOutcome outcome;
   const Manifest wanted = motion_manifest(scene, request.rate, request.plan);
   const std::vector<int> frames = all_frames(wanted.frame_count);
@@ -111,7 +106,7 @@ MotionOutcome simulate_motion(const Scene& scene, const MotionRequest& request, 
     outcome.last_state_hash = record_of(last->second).state;
   std::error_code error;
   outcome.bytes = fs::file_size(file, error);
-  outcome.seconds = seconds_since(start);
+  outcome.seconds = watch.seconds();
   return outcome;
 }
 

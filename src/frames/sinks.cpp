@@ -1,6 +1,6 @@
 #include "sinks.h"
 
-#include <chrono>
+#include "base/stopwatch.h"
 
 namespace taut {
 
@@ -8,9 +8,9 @@ void FolderSink::take(const FinishedFrame& frame, const StopTest& /*stop*/) {
   clock_.time(Stage::write, [&] {
     // Frames come in the order of time, so all before this one are written.
     if (frame.checkpoint) {
-      const auto start = std::chrono::steady_clock::now();
+      const Stopwatch watch;
       folder_.write(*frame.checkpoint);
-      checkpoints_.written(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+      checkpoints_.written(watch.seconds());
     }
     folder_.write(frame.frame, frame.png, frame.state_hash);
   });

@@ -25,6 +25,10 @@ std::optional<std::size_t> whole_number_in(const char* variable) {
 
 }  // namespace
 
+std::string Shard::suffix() const {
+  return all() ? "" : fmt::format("-{}-of-{}", index, count);
+}
+
 Shard parse_shard(std::string_view text) {
   const std::size_t slash = text.find('/');
   if (slash != std::string_view::npos) {

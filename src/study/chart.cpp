@@ -4,11 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "base/failure.h"
 #include "base/hash.h"
+#include "base/stopwatch.h"
 #include "chart_json.h"
 #include "host/versions.h"
 #include "measure/cost.h"
@@ -31,16 +31,6 @@ double longest_run(const Scene& scene, const Truth& truth, double budget) {
       budget * run_share,
       std::exp2(doublings) * predicted_seconds(scene.model, "xpbd", coarsest * truth.horizon(), 1));
 }
-
-class Stopwatch {
- public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 // The truth, with only those kinds of error that are wanted.
 Truth wanted_truth(const Scene& scene, const ChartRequest& request, const StopTest& stop) {

@@ -13,9 +13,7 @@ namespace taut {
 namespace fs = std::filesystem;
 
 fs::path shard_file(const fs::path& file, const Shard& shard) {
-  if (shard.all()) return file;
-  return file.parent_path() / fmt::format("{}-{}-of-{}{}", file.stem().string(), shard.index, shard.count,
-                                          file.extension().string());
+  return file.parent_path() / (file.stem().string() + shard.suffix() + file.extension().string());
 }
 
 std::optional<ShardFileName> shard_file_name(const std::string& name) {

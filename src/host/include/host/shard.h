@@ -12,6 +12,8 @@ struct Shard {
   std::size_t index = 1, count = 1;
 
   bool all() const { return count == 1; }
+  /// What tells its files from those of others: "-2-of-4"; nothing where there is only one.
+  std::string suffix() const;
   /// Whether the case at that place, from 0, belongs to this part.
   bool has(std::size_t place) const { return place % count == index - 1; }
   /// The first of its places and the one after its last, where so many are dealt out in one piece each.

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <future>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bounded_queue.h"
+#include "frame_sink.h"
+#include "frames/captions.h"
+#include "frames/panels.h"
+#include "output/checkpoint.h"
+#include "panel_runs.h"
+
+namespace taut {
+
+// What stages hand on to each other (frames.cpp).
+
+/// A moment on its way from the simulation to what is seen of it.
+struct Posed {
+  int frame = 0;
+  std::string hash;
+  std::shared_ptr<const Checkpoint> checkpoint;  // from which it can be simulated; mostly none
+  std::vector<PanelState> panels;
+  std::vector<Caption> captions;  // one a panel, where they are wanted
+};
+
+/// What is seen of a moment, on its way to OpenGL.
+struct Shaped {
+  int frame = 0;
+  std::string hash;
+  std::shared_ptr<const Checkpoint> checkpoint;
+  PanelPainter::Shapes shapes;
+  std::vector<Caption> captions;
+};
+
+using Finished = std::shared_ptr<const FinishedFrame>;
+
+/// A sink, and the frames on their way to it: in order, and not all of them done.
+struct Lane {
+  explicit Lane(FrameSink& where) : sink(where) {}
+
+  FrameSink& sink;
+  BoundedQueue<std::shared_future<Finished>> frames{4};
+  std::size_t let_go = 0;  // when told to stop: at the size of a cinema's screen waiting takes too long
+};
+
+/// What OpenGL has been told to draw. Whoever waits for it is told when it is lost, too.
+struct Submitted : Shaped {
+  std::promise<Finished> finished;
+  bool as_png = false;
+};
+
+/// Parts of pictures, to be laid together and compressed.
+struct Drawn {
+  Submitted frame;
+  PanelPainter::Drawn panels;
+};
+
+}  // namespace taut
