@@ -15,6 +15,8 @@ namespace taut {
 namespace {
 
 void add_masses(Builder& builder, const std::vector<MassSpec>& specs) {
+  builder.model.singles.first_mass = static_cast<Index>(builder.model.masses.size());
+  builder.model.singles.mass_count = static_cast<Index>(specs.size());
   for (const MassSpec& spec : specs) {
     builder.begin_body(spec.collides);
     const Index mass =
@@ -25,6 +27,8 @@ void add_masses(Builder& builder, const std::vector<MassSpec>& specs) {
 
 void add_links(Builder& builder, const std::vector<LinkSpec>& specs, const MassesByName& by_name,
                std::vector<Problem>& problems) {
+  builder.model.singles.first_link = static_cast<Index>(builder.model.links.size());
+  builder.model.singles.link_count = static_cast<Index>(specs.size());
   for (std::size_t i = 0; i < specs.size(); ++i) {
     const LinkSpec& spec = specs[i];
     builder.begin_entry("link", i);

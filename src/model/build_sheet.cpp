@@ -175,6 +175,7 @@ void add_sheet(Builder& builder, const SheetSpec& spec) {
   builder.begin_body(spec.collides);
   add_masses(builder, spec);
 
+  sheet.first_link = static_cast<Index>(builder.model.links.size());
   SheetLinks links(builder, spec, sheet.first_mass);
   links.add_family(0, 1, spec.properties, LinkFamily::structural);
   links.add_family(1, 0, spec.properties, LinkFamily::structural);
@@ -186,6 +187,7 @@ void add_sheet(Builder& builder, const SheetSpec& spec) {
     links.add_family(0, 2, *spec.skip_one, LinkFamily::skip_one);
     links.add_family(2, 0, *spec.skip_one, LinkFamily::skip_one);
   }
+  sheet.link_count = static_cast<Index>(builder.model.links.size()) - sheet.first_link;
   for (int row = 0; row + 1 < spec.rows; ++row)
     for (int column = 0; column + 1 < spec.columns; ++column) {
       const Index top_left = links.mass(row, column), top_right = links.mass(row, column + 1);

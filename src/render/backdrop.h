@@ -48,7 +48,7 @@ class Backdrop {
   void draw_depth(const Geometry& geometry) const;
 
  private:
-  const Program& ground(bool solid, bool shadows);
+  const Program& ground(const GroundPatch& patch, bool shadows);
   void draw(const Program& program, const GroundPatch& patch) const;
   void draw_sky(const Geometry& geometry, const FrameBlock& block) const;
 
@@ -56,7 +56,7 @@ class Backdrop {
   const ShaderLibrary* library_;
   Size size_;
   bool cut_out_;
-  std::array<std::optional<Program>, 4> grounds_;
+  std::array<std::optional<Program>, 8> grounds_;
   Program ground_depth_, sky_;
   GlObject no_attributes_;
   PictureTarget target_;

@@ -77,7 +77,7 @@ struct Renderer::Submitted {
     std::vector<Readback> passes;
   };
   std::vector<Part> parts;
-  ColourScale scale;
+  std::optional<ColourScale> scale;  // where the picture has a legend
   GLsync done = nullptr;
 };
 
@@ -147,7 +147,7 @@ void Renderer::Drawing::submit(const Geometry& geometry) {
   if (casts_shadows()) draw_shadow_map(geometry);
 
   Submitted frame;
-  frame.scale = geometry.scale;
+  if (geometry.legend) frame.scale = geometry.scale;
   const FrameBlock block = camera(geometry);
   uniforms_.load(block);
   if (!settings_.transparent) frame.backdrop = backdrop_.lit(geometry, block);
@@ -172,7 +172,7 @@ Layers Renderer::Drawing::fetch() {
     Layer& layer = layers.parts.emplace_back(Layer{part.region, {}});
     for (const Readback& pass : part.passes) layer.passes.push_back(pass.fetch());
   }
-  if (font_) layers.legend = {*font_, look_.colour_by, frame.scale};
+  if (font_ && frame.scale) layers.legend = {*font_, look_.colour_by, *frame.scale};
   return layers;
 }
 
@@ -200,6 +200,9 @@ void Renderer::Drawing::draw_shadow_map(const Geometry& geometry) {
     lines_.draw_shadows();
   } else {
     surface_.draw(Pass::shadow);
+    spheres_.draw(Pass::shadow, static_cast<GLsizei>(geometry.sphere_shadows));
+    links_.draw(Pass::shadow, static_cast<GLsizei>(geometry.link_shadows));
+    if (geometry.line_shadows) lines_.draw_shadows();
   }
   rods_.draw(Pass::shadow);
   torsos_.draw(Pass::shadow);

@@ -1,12 +1,14 @@
 #include "codec.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/diagnostic.h"
 #include "base/nearest.h"
+#include "colour_names.h"
 
 namespace taut {
 namespace {
@@ -205,8 +207,21 @@ bool Codec<std::array<double, 2>>::read(const Node& node, const KeyInfo& info, s
 
 bool Codec<Colour>::read(const Node& node, const KeyInfo& info, Colour& out, Reader& reader) {
   const auto* text = node.get<std::string>();
-  if (text && read_web_colour(*text, out)) return true;
-  return read_numbers(node, info, type(), out, reader);
+  if (!text) return read_numbers(node, info, type(), out, reader);
+  if (read_web_colour(*text, out)) return true;
+  if (const std::optional<Colour> named = colour_named(*text)) {
+    out = *named;
+    return true;
+  }
+  reader.bad_value(
+      node.origin,
+      text->starts_with('#')
+          ? fmt::format("{} must have six digits from 0 to f after #, as \"#cc8c33\" has, not {}",
+                        in_quotes(info.name), in_quotes(*text))
+          : fmt::format("{} names no colour: {}; there are {}, \"#rrggbb\" and [red, green, blue]",
+                        in_quotes(info.name), in_quotes(*text), fmt::join(colour_names(), ", ")),
+      did_you_mean(nearest_name(*text, colour_names())));
+  return false;
 }
 
 bool Codec<std::vector<Knot>>::read(const Node& node, const KeyInfo& info, std::vector<Knot>& out,

@@ -132,7 +132,7 @@ struct Codec<std::array<double, 2>> {
 
 template <>
 struct Codec<Colour> {
-  static std::string type() { return "a list of 3 numbers or text \"#rrggbb\""; }
+  static std::string type() { return "a list of 3 numbers, text \"#rrggbb\" or a name"; }
   static bool read(const Node& node, const KeyInfo& info, Colour& out, Reader& reader);
   static std::string write(const Colour& value) { return write_numbers(value); }
 };

@@ -1,3 +1,4 @@
+#include "object_section.h"
 #include "physics_facts.h"
 #include "section.h"
 
@@ -7,6 +8,25 @@ namespace {
 constexpr std::array<std::string_view, 2> chain_ends{"first", "last"};
 constexpr std::array<std::string_view, 8> sheet_edges{"top",      "bottom",    "left",        "right",
                                                       "top-left", "top-right", "bottom-left", "bottom-right"};
+
+constexpr std::array<std::string_view, 2> chain_parts{"links", "masses"};
+constexpr std::array<std::string_view, 3> sheet_parts{"links", "masses", "surface"};
+constexpr std::string_view hidden_wholly =
+    "whether it is drawn; what is hidden moves as ever, but throws no shadow, and neither the camera nor the "
+    "colour scale minds it";
+constexpr LookFacts chain_look{.visible = hidden_wholly,
+                               .colour = "of its links and free masses, where look.colour_by is plain",
+                               .parts = chain_parts};
+constexpr LookFacts sheet_look{
+    .visible = hidden_wholly,
+    .colour = "of its links and free masses, and of the cloth's front, where look.colour_by is plain",
+    .parts = sheet_parts,
+    .two_sides = true};
+constexpr LookFacts mass_look{.visible = "whether it is drawn; its links are drawn all the same",
+                              .colour = "of the mass, a pinned one too"};
+constexpr LookFacts link_look{
+    .visible = "whether it is drawn; never where a chain, sheet or ragdoll at its end is hidden",
+    .colour = "of the link, where look.colour_by is plain"};
 
 Keys<ChainSpec> chain_keys() {
   return Keys<ChainSpec>{
@@ -121,14 +141,14 @@ Keys<LoadSpec> load_keys() {
 
 std::vector<Section> physics_sections() {
   return {
-      repeated_section<ChainSpec>("chain", "A straight row of equal masses, each linked to the next.",
-                                  chain_keys(), description_of(&Description::chains)),
-      repeated_section<SheetSpec>("sheet",
-                                  "A rectangular net of equal masses, linked along rows and columns.",
-                                  sheet_keys(), description_of(&Description::sheets)),
-      repeated_section<MassSpec>("mass", "One mass.", mass_keys(), description_of(&Description::masses)),
-      repeated_section<LinkSpec>("link", "One link between two masses.", link_keys(),
-                                 description_of(&Description::links)),
+      object_section<ChainSpec>("chain", "A straight row of equal masses, each linked to the next.",
+                                chain_keys(), chain_look, &Description::chains, &ObjectLooks::chains),
+      object_section<SheetSpec>("sheet", "A rectangular net of equal masses, linked along rows and columns.",
+                                sheet_keys(), sheet_look, &Description::sheets, &ObjectLooks::sheets),
+      object_section<MassSpec>("mass", "One mass.", mass_keys(), mass_look, &Description::masses,
+                               &ObjectLooks::masses),
+      object_section<LinkSpec>("link", "One link between two masses.", link_keys(), link_look,
+                               &Description::links, &ObjectLooks::links),
       repeated_section<LoadSpec>("load", "A force that grows linearly.", load_keys(),
                                  description_of(&Description::loads)),
   };

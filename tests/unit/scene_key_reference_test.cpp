@@ -57,7 +57,10 @@ TEST(KeyReference, ListsEveryKeyOfEverySection) {
                                            "stiffness",
                                            "damping",
                                            "break_stretch",
-                                           "break_tension"}));
+                                           "break_tension",
+                                           "visible",
+                                           "colour",
+                                           "draw"}));
   EXPECT_EQ(keys_of("`[[sheet]]`"), (Names{"name",
                                            "rows",
                                            "columns",
@@ -85,17 +88,25 @@ TEST(KeyReference, ListsEveryKeyOfEverySection) {
                                            "skip_one.stiffness",
                                            "skip_one.damping",
                                            "skip_one.break_stretch",
-                                           "skip_one.break_tension"}));
-  EXPECT_EQ(keys_of("`[[mass]]`"),
-            (Names{"name", "position", "velocity", "mass", "pinned", "motion", "motion.amplitude",
-                   "motion.angular_frequency", "motion.phase", "motion.path", "radius", "collides"}));
-  EXPECT_EQ(keys_of("`[[link]]`"),
-            (Names{"a", "b", "length", "stiffness", "damping", "break_stretch", "break_tension"}));
+                                           "skip_one.break_tension",
+                                           "visible",
+                                           "colour",
+                                           "back_colour",
+                                           "draw"}));
+  EXPECT_EQ(keys_of("`[[mass]]`"), (Names{"name", "position", "velocity", "mass", "pinned", "motion",
+                                          "motion.amplitude", "motion.angular_frequency", "motion.phase",
+                                          "motion.path", "radius", "collides", "visible", "colour"}));
+  EXPECT_EQ(keys_of("`[[link]]`"), (Names{"a", "b", "length", "stiffness", "damping", "break_stretch",
+                                          "break_tension", "visible", "colour"}));
   EXPECT_EQ(keys_of("`[[load]]`"), (Names{"masses", "force", "from", "to"}));
-  EXPECT_EQ(keys_of("`[[plane]]`"), (Names{"point", "normal", "friction", "restitution"}));
-  EXPECT_EQ(keys_of("`[[sphere]]`"), (Names{"centre", "radius", "friction", "restitution"}));
-  EXPECT_EQ(keys_of("`[[capsule]]`"), (Names{"from", "to", "radius", "friction", "restitution"}));
-  EXPECT_EQ(keys_of("`[[box]]`"), (Names{"centre", "size", "turn", "friction", "restitution"}));
+  EXPECT_EQ(keys_of("`[[plane]]`"),
+            (Names{"point", "normal", "friction", "restitution", "visible", "colour"}));
+  EXPECT_EQ(keys_of("`[[sphere]]`"),
+            (Names{"centre", "radius", "friction", "restitution", "visible", "colour"}));
+  EXPECT_EQ(keys_of("`[[capsule]]`"),
+            (Names{"from", "to", "radius", "friction", "restitution", "visible", "colour"}));
+  EXPECT_EQ(keys_of("`[[box]]`"),
+            (Names{"centre", "size", "turn", "friction", "restitution", "visible", "colour"}));
   EXPECT_EQ(keys_of("`[wind]`"),
             (Names{"velocity", "gust", "gust_time", "seed", "density", "drag_coefficient"}));
   EXPECT_EQ(keys_of("`[[angle]]`"), (Names{"masses", "min", "max", "compliance"}));
@@ -134,7 +145,10 @@ TEST(KeyReference, ListsEveryKeyOfEverySection) {
                                              "joint_damping",
                                              "joint_friction",
                                              "pinned",
-                                             "collides"}));
+                                             "collides",
+                                             "visible",
+                                             "colour",
+                                             "draw"}));
   EXPECT_EQ(keys_of("`[camera]`"),
             (Names{"eye", "target", "direction", "show", "field_of_view", "up", "orbit", "follow"}));
   EXPECT_EQ(keys_of("`[look]`"), (Names{"masses",       "links",          "surface",

@@ -67,13 +67,15 @@ std::vector<Vec3> all_ways(const std::vector<const SupportedPin*>& pins) {
   return places;
 }
 
-// Across a ball around all masses (m): the same however they are turned.
-double extent_of(const State& start) {
-  const std::size_t count = start.position.size();
+// Across a ball around all masses that are seen (m): the same however they are turned.
+double extent_of(const State& start, const std::vector<bool>* seen) {
+  std::vector<std::size_t> masses;
+  for (std::size_t i = 0; i < start.position.size(); ++i)
+    if (seen == nullptr || (*seen)[i]) masses.push_back(i);
   Vec3 middle = Vec3::Zero();
-  for (std::size_t i = 0; i < count; ++i) middle += start.position.at(i) / static_cast<double>(count);
+  for (const std::size_t i : masses) middle += start.position.at(i) / static_cast<double>(masses.size());
   double reach = 0.0;
-  for (std::size_t i = 0; i < count; ++i) reach = std::max(reach, (start.position.at(i) - middle).norm());
+  for (const std::size_t i : masses) reach = std::max(reach, (start.position.at(i) - middle).norm());
   return 2.0 * reach;
 }
 
@@ -83,7 +85,7 @@ class SupportMaker {
       : model_(model),
         start_(start),
         sight_(sight),
-        extent_(extent_of(start)),
+        extent_(extent_of(start, sight.seen)),
         unit_(std::max(0.0105 * extent_, 0.3 * sight.pin_radius)) {
     find_pins();
   }
@@ -111,6 +113,7 @@ class SupportMaker {
     pin_of_mass_.assign(count, none);
     for (std::size_t mass = 0; mass < count; ++mass) {
       if (!model_.masses.pinned(mass) || links[mass] == 0.0) continue;
+      if (sight_.seen != nullptr && !(*sight_.seen)[mass]) continue;
       pin_of_mass_[mass] = pins_.size();
       const Vec3 at = start_.position.at(mass);
       pins_.push_back({static_cast<Index>(mass), at, {at}, false, towards[mass] / links[mass]});
@@ -361,13 +364,18 @@ Supports supports(const Model& model, const State& start, const SupportSight& si
   return SupportMaker(model, start, sight).make();
 }
 
-SceneSupports::SceneSupports(const Model& model, const State& start, const Look& look, const Radii& radii)
-    : model_(&model), start_(start), look_(look), pin_radius_(drawn_pin_radius(model, look, radii)) {}
+SceneSupports::SceneSupports(const Model& model, const State& start, const Look& look, const Radii& radii,
+                             const Appearance& appearance)
+    : model_(&model),
+      start_(start),
+      look_(look),
+      pin_radius_(drawn_pin_radius(model, look, radii)),
+      seen_(appearance.there) {}
 
 const Supports& SceneSupports::seen_with(const Vec3& up) {
   if (up != up_) {
     const std::vector<Ground> grounds = drawn_grounds(*model_, look_, up);
-    supports_ = supports(*model_, start_, {up, grounds, pin_radius_});
+    supports_ = supports(*model_, start_, {up, grounds, pin_radius_, &seen_});
     up_ = up;
   }
   return supports_;
