@@ -47,7 +47,7 @@ RenderOutcome film_from_files(const RenderRequest& request, std::size_t panels, 
   StageClock clock;
   job.folder->begin();
   std::optional<Film> film;
-  begin_film(film, film_settings(request, panels));
+  begin_film(film, film_settings(request, panels, job.frames));
   progress.start(static_cast<int>(job.frames.size()));
   try {
     add_from_files(*film, *job.folder, job.frames, stop, [&](int done) { progress.update(done); });

@@ -282,7 +282,7 @@ RenderOutcome Pipeline::run() {
     job_.folder->begin();
   }
   std::optional<Film> film;
-  if (job_.make_film) begin_film(film, film_settings(request_, scenes_.size()));
+  if (job_.make_film) begin_film(film, film_settings(request_, scenes_.size(), job_.frames));
   outcome_.drawn_by = painter.drawn_by();
   if (job_.folder) job_.folder->set_drawn_by(outcome_.drawn_by);
   progress_.start(static_cast<int>(job_.frames.size()));
