@@ -92,6 +92,12 @@ void print_failures(std::span<const Scene> scenes, const RenderOutcome& outcome)
            outcome.panels[i].failure);
 }
 
+int parse_depth(const std::string& text) {
+  if (text.empty() || text == "8") return 8;
+  if (text == "16") return 16;
+  throw BadRequest(fmt::format("--depth is 8 or 16 bits a channel, not \"{}\"", text));
+}
+
 }  // namespace
 
 void OutputFlags::add_to(Verb& verb, const std::string& usual_folder) {
@@ -106,6 +112,9 @@ void OutputFlags::add_to(Verb& verb, const std::string& usual_folder) {
   picture.add_to(verb);
   verb.add_option("--fps", rate, "Frames per second, such as 30, 29.97 or 24000/1001 [30]");
   add_slow(verb, slow);
+  verb.add_option(
+      "--depth", depth,
+      "Bits of a colour channel: 8, in PNG files, or 16, in TIFF files and finer in .mov films [8]");
   add_shard(verb, shard, "taut merge joins them");
   verb.add_flag("--overwrite", overwrite, "Replace frames and a film that are there already");
   verb.add_flag("--json", json, "Print a summary as JSON on stdout");
@@ -126,6 +135,7 @@ RenderRequest OutputFlags::request(const std::string& usual_folder, std::optiona
   request.rate = rate.empty() ? FrameRate{} : parse_frame_rate("--fps", rate);
   request.shard = chosen_shard(shard);
   request.picture = picture.settings(usual);
+  request.picture.render.bits = parse_depth(depth);
   if (json && goes_to_standard_output(film))
     throw BadRequest("--film and --json can't both write to standard output");
   request.overwrite = overwrite;

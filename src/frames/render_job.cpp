@@ -80,9 +80,12 @@ std::vector<int> frames_of(const RenderRequest& request, int count) {
 }  // namespace
 
 FilmSettings film_settings(const RenderRequest& request, std::size_t panels, const std::vector<int>& frames) {
-  return {*request.film, sheet_size(request.picture.render.size, panels),
-          rate_of_selection(frames, request.rate), request.picture.render.transparent,
-          thread_budget(request.cores).film};
+  return {*request.film,
+          sheet_size(request.picture.render.size, panels),
+          rate_of_selection(frames, request.rate),
+          request.picture.render.transparent,
+          thread_budget(request.cores).film,
+          request.picture.render.bits};
 }
 
 bool RenderJob::complete() const {

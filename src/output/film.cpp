@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <bit>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -57,13 +58,21 @@ void add_words(std::vector<std::string>& words, std::string_view text) {
   }
 }
 
+// What ffmpeg calls the pixels it is fed.
+std::string_view pixel_format(const FilmSettings& settings) {
+  constexpr bool low_first = std::endian::native == std::endian::little;
+  if (settings.bits == 16 && settings.transparent) return low_first ? "rgba64le" : "rgba64be";
+  if (settings.bits == 16) return low_first ? "rgb48le" : "rgb48be";
+  return settings.transparent ? "rgba" : "rgb24";
+}
+
 // `to` is what ffmpeg writes into: a file, or "pipe:1".
 std::vector<std::string> encoder_arguments(const FilmSettings& settings, const FilmTarget& target,
                                            const std::string& to) {
   const FilmFormat& format = *target.format;
   std::vector<std::string> arguments{"-hide_banner", "-nostats", "-loglevel", "error", "-y"};
   const auto add = [&](auto... words) { (arguments.emplace_back(words), ...); };
-  add("-f", "rawvideo", "-pixel_format", settings.transparent ? "rgba" : "rgb24");
+  add("-f", "rawvideo", "-pixel_format", pixel_format(settings));
   add("-video_size", fmt::format("{}x{}", settings.size.width, settings.size.height));
   add("-framerate", settings.rate.text(), "-i", "pipe:0", "-an");
   add_words(arguments, format.colours);

@@ -12,7 +12,7 @@ constexpr int samples = 1;
 
 }  // namespace
 
-Backdrop::Backdrop(const Gl& gl, const ShaderLibrary& library, Size size, bool cut_out)
+Backdrop::Backdrop(const Gl& gl, const ShaderLibrary& library, Size size, bool cut_out, int bits)
     : gl_(&gl),
       library_(&library),
       size_(size),
@@ -20,12 +20,12 @@ Backdrop::Backdrop(const Gl& gl, const ShaderLibrary& library, Size size, bool c
       ground_depth_(gl, library, "ground.vert", "nothing.frag"),
       sky_(gl, library, "sky.vert", "sky.frag"),
       no_attributes_(make_vertex_array(gl)),
-      target_(gl, size, samples) {}
+      target_(gl, size, samples, bits) {}
 
 const std::shared_ptr<const Image>& LitBackdrop::image() {
   if (drawn_) {
     const Image drawn = drawn_->fetch();
-    Image image = Image::blank(drawn.size, 3);
+    Image image = Image::blank(drawn.size, 3, drawn.bits);
     lay_over(image, 0, 0, drawn);
     image_ = std::make_shared<const Image>(std::move(image));
     drawn_.reset();

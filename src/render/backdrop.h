@@ -35,7 +35,7 @@ class LitBackdrop {
 class Backdrop {
  public:
   /// `cut_out`: without sky and ground, only the shadows on it.
-  Backdrop(const Gl& gl, const ShaderLibrary& library, Size size, bool cut_out);
+  Backdrop(const Gl& gl, const ShaderLibrary& library, Size size, bool cut_out, int bits);
 
   /// The whole backdrop without shadows. Where it isn't kept it is drawn with the block that is loaded.
   std::shared_ptr<LitBackdrop> lit(const Geometry& geometry, const FrameBlock& block);

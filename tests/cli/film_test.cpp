@@ -106,6 +106,41 @@ TEST_F(FilmTest, InSlowMotionHasMoreMoments) {
   EXPECT_EQ(taut(slower).status, 2);
 }
 
+TEST_F(FilmTest, OfSixteenBitsIsMadeFromTiffFiles) {
+  const std::string film = folder_ / "film.mov";
+  const std::vector<std::string> deep{"--depth", "16", "--fps", "10", "--transparent"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.end(), deep.begin(), deep.end());
+    return render(more);
+  };
+  ASSERT_EQ(with({}).status, 0);
+  EXPECT_TRUE(fs::exists(folder_ / "frames/frame-000010.tif"));
+  EXPECT_FALSE(fs::exists(folder_ / "frames/frame-000010.png"));
+  EXPECT_EQ(probe(folder_ / "frames/frame-000010.tif")["streams"][0]["pix_fmt"], "rgba64le");
+  const Ran again = with({"--film", film});
+  ASSERT_EQ(again.status, 0) << again.err;
+  EXPECT_EQ(Json::parse(again.out)["frames"]["kept"], 10) << "the film is made from the files";
+  EXPECT_EQ(probe(film)["streams"][0]["nb_read_frames"], "10");
+  EXPECT_EQ(with({"--film", film}).status, 0) << "the same again";
+  EXPECT_EQ(taut({"verify", folder_ / "frames"}).status, 0);
+  EXPECT_EQ(render({"--fps", "10", "--transparent"}).status, 4) << "frames of eight bits";
+  const Ran other = render({"--depth", "12"});
+  EXPECT_EQ(other.status, 2);
+  EXPECT_NE(other.err.find("--depth is 8 or 16"), std::string::npos) << other.err;
+
+  // Of shards, too; and frames of another kind are taken away.
+  const std::string parts = folder_ / "parts";
+  for (const std::string shard : {"1/2", "2/2"})
+    ASSERT_EQ(
+        taut({"render", scene_, "-o", parts, "--size", "64x48", "--depth", "16", "--shard", shard}).status,
+        0);
+  ASSERT_EQ(taut({"merge", parts, "--film", folder_ / "merged.mov"}).status, 0);
+  EXPECT_EQ(probe(folder_ / "merged.mov")["streams"][0]["nb_read_frames"], "30");
+  ASSERT_EQ(taut({"render", scene_, "-o", parts, "--size", "64x48", "--overwrite"}).status, 0);
+  EXPECT_FALSE(fs::exists(parts + "/frame-000001.tif"));
+  EXPECT_EQ(taut({"verify", parts}).status, 0);
+}
+
 TEST_F(FilmTest, GifHasAllFrames) {
   const std::string film = folder_ / "film.gif";
   ASSERT_EQ(render({"--film", film, "--fps", "20"}).status, 0);

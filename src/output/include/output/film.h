@@ -19,6 +19,7 @@ struct FilmSettings {
   FrameRate rate;
   bool transparent = false;  ///< frames are RGBA instead of RGB
   int threads = 0;           ///< that the encoder may use; 0: as it likes
+  int bits = 8;              ///< of a frame's channels: 8 or 16
 };
 
 /// Whether a film of that name goes into a pipe or a device: "-" is standard output, "webm:-" says in which
