@@ -138,7 +138,7 @@ Built build(const Description& description) {
   builder.model.drag = description.drag;
   for (std::size_t i = 0; i < description.chains.size(); ++i) {
     builder.begin_entry("chain", i);
-    add_chain(builder, description.chains[i]);
+    add_chain(builder, description.chains[i], description);
   }
   for (std::size_t i = 0; i < description.sheets.size(); ++i) {
     builder.begin_entry("sheet", i);
@@ -153,6 +153,7 @@ Built build(const Description& description) {
   find_crowds(builder, description, built.problems);
   const MassesByName by_name = names_in_use(description, builder.model.masses);
   add_links(builder, description.links, by_name, built.problems);
+  add_ties(builder, description.ties, built.problems);
   add_loads(builder.model, description.loads, built.problems);
   add_limits(builder, description, by_name, built.problems);
   if (description.wind && description.wind->density * description.wind->drag_coefficient > 0.0)

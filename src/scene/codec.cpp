@@ -244,6 +244,21 @@ std::string Codec<std::vector<Knot>>::write(const std::vector<Knot>& value) {
   });
 }
 
+bool Codec<std::vector<Vec3>>::read(const Node& node, const KeyInfo& info, std::vector<Vec3>& out,
+                                    Reader& reader) {
+  const auto* list = node.get<Node::List>();
+  if (!list) return wrong_type(node, info, type(), reader);
+  std::vector<Vec3> places;
+  for (const Node& element : *list)
+    if (!read_numbers(element, info, type(), {places.emplace_back().data(), 3}, reader)) return false;
+  out = std::move(places);
+  return true;
+}
+
+std::string Codec<std::vector<Vec3>>::write(const std::vector<Vec3>& value) {
+  return write_list(value, [](const Vec3& place) { return Codec<Vec3>::write(place); });
+}
+
 bool Codec<std::vector<std::array<double, 2>>>::read(const Node& node, const KeyInfo& info,
                                                      std::vector<std::array<double, 2>>& out,
                                                      Reader& reader) {

@@ -144,6 +144,13 @@ struct Codec<std::vector<Knot>> {
   static std::string write(const std::vector<Knot>& value);
 };
 
+template <>
+struct Codec<std::vector<Vec3>> {
+  static std::string type() { return "a list of [x, y, z]"; }
+  static bool read(const Node& node, const KeyInfo& info, std::vector<Vec3>& out, Reader& reader);
+  static std::string write(const std::vector<Vec3>& value);
+};
+
 /// Writes a list of what `write` makes of each element.
 template <class List, class Write>
 std::string write_list(const List& list, Write write) {

@@ -41,19 +41,22 @@ Keys<Whole> keys_of_part(const Keys<Part>& keys, Part Whole::*part) {
 }
 
 /// A section of objects: what they are is stored in the description, how they are drawn in the look.
+/// `check_table` may report what is wrong with which keys an object has.
 template <class Spec>
 Section object_section(std::string name, std::string help, const Keys<Spec>& keys, const LookFacts& facts,
-                       std::vector<Spec> Description::*specs, std::vector<ObjectLook> ObjectLooks::*looks) {
+                       std::vector<Spec> Description::*specs, std::vector<ObjectLook> ObjectLooks::*looks,
+                       void (*check_table)(const Node&, Reader&) = nullptr) {
   using Object = Dressed<Spec>;
   Keys<Object> all = keys_of_part(keys, &Object::spec);
   for (Key<Object>& each : keys_of_part(object_look_keys(facts), &Object::look))
     all.push_back(std::move(each));
   Section section{std::move(name), true, std::move(help), {{"", infos(all)}}, {}, {}};
   const std::string id = section.name, label = section.label();
-  section.read = [id, label, all, specs, looks](const Node& node, Scene& scene, Reader& reader) {
+  section.read = [id, label, all, specs, looks, check_table](const Node& node, Scene& scene, Reader& reader) {
     read_entries(node, id, label, reader, [&](const Node& entry, std::size_t) {
       Object read;
       read_table(entry, all, label, TableKind::entry, read, reader);
+      if (check_table != nullptr) check_table(entry, reader);
       (scene.description.*specs).push_back(std::move(read.spec));
       (scene.look.objects.*looks).push_back(std::move(read.look));
     });

@@ -53,7 +53,8 @@ TEST(SceneErrors, OneBracketForTwo) {
 
 TEST(SceneErrors, MissingKeyPointsAtTheEntry) {
   EXPECT_EQ(errors_of("\n [[chain]]\nname = \"rope\"\nfrom = [0, 2, 0]\n"),
-            "f.toml:2:2: [[chain]] needs the key \"to\"\n     [[chain]]\n     ^");
+            "f.toml:2:2: [[chain]] needs the key \"to\", or \"points\" or \"wound\" in its place\n     "
+            "[[chain]]\n     ^");
 }
 
 TEST(SceneErrors, WrongTypes) {

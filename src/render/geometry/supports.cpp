@@ -180,6 +180,7 @@ class SupportMaker {
     for (Index i = 0; i < count; ++i)
       if (const std::size_t pin = pin_of_mass_[first + i * step]; pin != none) pins.push_back(&pins_[pin]);
     if (pins.size() < 3) return;
+    if (pins.size() == count && moved_as_one(pins)) return carry_bar(pins);
     const std::optional<Stretch> line = line_through(all_ways(pins));
     if (!line) return;
     const bool moves = std::ranges::any_of(pins, [](const SupportedPin* pin) { return pin->moves; });
@@ -192,6 +193,32 @@ class SupportMaker {
       add_rail(*line, pins);
     else
       return;
+    for (const SupportedPin* pin : pins) held_[pin_of_mass_[pin->mass]] = true;
+  }
+
+  // Whether all pins move, and keep their places to each other.
+  bool moved_as_one(const std::vector<const SupportedPin*>& pins) const {
+    const SupportedPin& first = *pins.front();
+    return std::ranges::all_of(pins, [&](const SupportedPin* pin) {
+      if (!pin->moves || pin->ways.size() != first.ways.size()) return false;
+      for (std::size_t i = 0; i < first.ways.size(); ++i)
+        if ((pin->ways[i] - pin->at - first.ways[i] + first.at).norm() > 1e-9 * extent_) return false;
+      return true;
+    });
+  }
+
+  // A bar along an edge that moves along with it.
+  void carry_bar(const std::vector<const SupportedPin*>& pins) {
+    std::vector<Vec3> places;
+    for (const SupportedPin* pin : pins) places.push_back(pin->at);
+    const std::optional<Stretch> line = line_through(places);
+    if (!line) return;
+    const SupportedPin& first = *pins.front();
+    const Vec3 start = line->at(line->low - 3.0 * unit_) - first.at,
+               end = line->at(line->high + 3.0 * unit_) - first.at;
+    carry(first.mass, {start, end, unit_, unit_, Vec3::Zero(), Material::wood});
+    for (const Vec3& tip : {start, end})
+      carry(first.mass, {tip, tip, 1.9 * unit_, 1.9 * unit_, Vec3::Zero(), Material::metal});
     for (const SupportedPin* pin : pins) held_[pin_of_mass_[pin->mass]] = true;
   }
 

@@ -45,7 +45,8 @@ struct SupportSight {
 };
 
 /// Works out from a scene's pins what might hold them, once for a whole film:
-/// - an edge of a sheet whose pins all lie on one line: a pole where that is upright, else a bar where all
+/// - an edge of a sheet that is moved as one: a bar that moves along.
+/// - another whose pins all lie on one line: a pole where that is upright, else a bar where all
 ///   of the edge is pinned, else a rail with a ring for each pin. A rail is as long as hooks ever move.
 /// - three pins or more that are spread out level and pulled at from the side: a post each; a pin just above
 ///   the ground: a peg; other pins at rest: a bracket above each; of a body: a bar to hold on to.
