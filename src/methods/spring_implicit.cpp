@@ -40,7 +40,7 @@ class SpringImplicitStepper final : public SwappingStepper {
 
  private:
   void links_changed(const State& state) override {
-    springs_ = gather_springs(model_, state);
+    springs_ = gather_springs(model_, state, OneSided::taken);
     analysed_ = false;
   }
 
@@ -118,11 +118,14 @@ class SpringImplicitStepper final : public SwappingStepper {
     const double distance = d.norm();
     // Without a direction to pull in, a block of zeros: the pattern must stay the one that was analysed.
     const Vec3 n = distance == 0.0 ? Vec3(Vec3::Zero()) : Vec3(d / distance);
-    const double k = springs_.stiffness[i], c = springs_.links.damping[i];
+    const double stretch = springs_.stretch(i, distance), c = springs_.links.damping[i];
+    const bool slack = stretch == 0.0 && !springs_.free_range.empty();
+    const double k = slack ? 0.0 : springs_.stiffness[i];
+    const double nominal = springs_.free_range.empty() ? springs_.links.length[i] : distance - stretch;
     const Vec3 moved = d - (start.at(a) - start.at(b));
-    const Vec3 pull = n * (k * (distance - springs_.links.length[i]) + c * n.dot(moved) / h);
+    const Vec3 pull = n * (k * stretch + c * n.dot(moved) / h);
     const Matrix3 along = n * n.transpose();
-    const double sideways = std::max(0.0, 1.0 - springs_.links.length[i] / distance);
+    const double sideways = slack ? 0.0 : std::max(0.0, 1.0 - nominal / distance);
     const Matrix3 block = (h * h * k) * (along + sideways * (Matrix3::Identity() - along)) + (h * c) * along;
     if (unknown_[a] >= 0) right_side_.segment<3>(unknown_[a]) -= h * h * pull;
     if (unknown_[b] >= 0) right_side_.segment<3>(unknown_[b]) += h * h * pull;
@@ -166,6 +169,7 @@ Method spring_implicit_method() {
   can.keeps = {Keeping::kept, Keeping::lost_with_step, Keeping::lost_with_step};
   can.stiffness = true;
   can.rigid = false;
+  can.one_sided = true;
   can.break_stretch = true;
   can.break_tension = true;
   return {"spring-implicit",

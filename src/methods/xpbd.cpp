@@ -57,6 +57,7 @@ Method xpbd_method() {
   can.stiffness = true;
   can.ground = true;
   can.limits = true;
+  can.one_sided = true;
   can.joints = true;
   can.colliders = true;
   can.break_stretch = true;

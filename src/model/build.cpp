@@ -100,7 +100,8 @@ Wind wind_of(const WindSpec& spec, const Vec3& up) {
 bool masses_are_sound(const std::vector<Problem>& problems) {
   return std::none_of(problems.begin(), problems.end(), [](const Problem& problem) {
     return problem.section == "chain" || problem.section == "sheet" || problem.section == "mass" ||
-           problem.section == "ragdoll";
+           problem.section == "ragdoll" || problem.section == "plane" || problem.section == "sphere" ||
+           problem.section == "capsule" || problem.section == "box";
   });
 }
 
@@ -132,6 +133,7 @@ Built build(const Description& description) {
   Builder builder;
   builder.model.gravity = description.gravity;
   builder.model.drag = description.drag;
+  add_solids(builder, description);
   for (std::size_t i = 0; i < description.chains.size(); ++i) {
     builder.begin_entry("chain", i);
     add_chain(builder, description.chains[i]);
@@ -145,10 +147,12 @@ Built build(const Description& description) {
     add_ragdoll(builder, description.ragdolls[i], i, built.problems);
   }
   add_masses(builder, description.masses);
-  add_solids(builder, description);
+  add_contact_points(builder);
+  find_starts_inside(builder, description, built.problems);
   find_crowds(builder, description, built.problems);
   const MassesByName by_name = names_in_use(description, builder.model.masses);
   add_links(builder, description.links, by_name, built.problems);
+  find_overreach(builder, built.problems);
   add_loads(builder.model, description.loads, built.problems);
   add_limits(builder, description, by_name, built.problems);
   if (description.wind && description.wind->density * description.wind->drag_coefficient > 0.0)

@@ -29,9 +29,32 @@ Index Builder::add_link(Index a, Index b, double length, const LinkProperties& p
   model.links.break_stretch.push_back(properties.break_stretch.value_or(infinity));
   model.links.break_tension.push_back(properties.break_tension.value_or(infinity));
   if (properties.break_stretch || properties.break_tension) model.breakable_links.push_back(index);
+  add_free_range(index, properties);
   start.tension.push_back(0.0);
   start.broken_at.push_back(infinity);
   return index;
+}
+
+// A link that isn't there for both pulling and pushing is a limit on its reach: to be met and left, as others
+// are. In lengths of the link, k (d − l)²/2 is that of a compliance of 1/(k l²).
+void Builder::add_free_range(Index link, const LinkProperties& properties) {
+  Links& links = model.links;
+  const double length = links.length[link];
+  const bool one_sided = properties.acts != LinkAction::both;
+  if (one_sided) links.free_range.resize(link, FreeRange{});  // those before it: none
+  if (links.free_range.empty() && !one_sided) return;
+  links.free_range.push_back({});
+  if (!one_sided) return;
+  Limit limit{LimitKind::reach, 2, {links.a[link], links.b[link]}, Vec3::UnitX(), 0.0, infinity};
+  if (properties.acts != LinkAction::pull) limit.min = 1.0;
+  if (properties.acts == LinkAction::pull) limit.max = 1.0;
+  if (properties.acts == LinkAction::between) limit.max = properties.longest.value_or(1.0);
+  if (properties.stiffness) limit.compliance = 1.0 / (*properties.stiffness * length * length);
+  limit.length = length;
+  limit.link = link;
+  links.free_range.back() = {limit.min * length, limit.max * length};
+  if (!model.masses.pinned(links.a[link]) || !model.masses.pinned(links.b[link]))
+    model.limits.push_back(limit);
 }
 
 void Builder::add_bone(const Bone& bone) {
@@ -45,6 +68,8 @@ void Builder::drive(Index mass, const MotionSpec& motion) {
     drive(mass, Sinusoid{start.position.at(mass), spec.amplitude, spec.angular_frequency, spec.phase});
   } else if (!motion.path.empty()) {
     drive(mass, make_path(motion.path));
+  } else if (!motion.with.empty()) {
+    drive(mass, Carried{start.position.at(mass), solid_motions.at(motion.with)});
   }
 }
 

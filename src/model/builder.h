@@ -39,6 +39,7 @@ class Builder {
   Model model;
   State start;
   std::vector<Index> body_of_mass, body_of_bone;
+  std::unordered_map<std::string, SolidMotion> solid_motions;  ///< of those that have a name
 
   /// An entry of a description and the first of its links, which reach to the first one of the next entry.
   struct Entry {
@@ -49,6 +50,8 @@ class Builder {
   std::vector<Entry> entries;
 
  private:
+  void add_free_range(Index link, const LinkProperties& properties);
+
   Index body_ = no_body, bodies_ = 0;
 };
 
@@ -69,12 +72,23 @@ void add_ragdoll(Builder& builder, const RagdollSpec& spec, std::size_t index,
 void add_limits(Builder& builder, const Description& description, const MassesByName& by_name,
                 std::vector<Problem>& problems);
 
-/// Adds what masses can hit, and what of them touches it.
+/// Adds what masses can hit: before the pins that solids carry.
 void add_solids(Builder& builder, const Description& description);
+
+/// Adds what of the masses and bones touches solids or each other: after all of them.
+void add_contact_points(Builder& builder);
+
+/// Reports what starts inside a solid that moves, which would throw it out.
+void find_starts_inside(const Builder& builder, const Description& description,
+                        std::vector<Problem>& problems);
 
 /// Reports bodies that are so close together at the start that their contacts can't be counted, let alone be
 /// solved.
 void find_crowds(const Builder& builder, const Description& description, std::vector<Problem>& problems);
+
+/// Reports a rigid link that acts one way only and is further apart, or nearer, at the start than it lets its
+/// masses be.
+void find_overreach(const Builder& builder, std::vector<Problem>& problems);
 
 /// The rotation by degrees about x, then y, then z.
 Eigen::Matrix3d turned(const Vec3& degrees);

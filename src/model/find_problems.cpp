@@ -162,6 +162,7 @@ void check_memory(Checker& check, const Description& description) {
 
 std::vector<Problem> find_problems(const Description& description) {
   Checker check;
+  check.know_solids(description);
   check_world(check, description);
   check_each(check, "chain", description.chains, check_chain);
   check_each(check, "sheet", description.sheets, check_sheet);

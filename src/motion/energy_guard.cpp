@@ -17,7 +17,7 @@ EnergyGuard::EnergyGuard(const Model& model, const State& start) : model_(model)
   for (const Load& load : model.loads) loads += load.force.norm() * static_cast<double>(load.masses.size());
   scale_ = energy_scale(model, start) + loads * total_link_length(model);
   for (const Joint& joint : model.joints) scale_ += joint.friction;  // through a radian
-  for (const Index link : solvable_links(model))
+  for (const Index link : links_with_a_free_end(model))
     if (!model.links.rigid(link)) springs_.push_back(link);
   energy_at_start_ = energy_of(start);
 }
@@ -52,7 +52,7 @@ double EnergyGuard::swing(const State& state, double h) {
     const double distance = difference.norm();
     if (distance == 0.0) continue;
     const Vec3 pull =
-        (model_.links.stiffness[link] * (distance - model_.links.length[link]) / distance) * difference;
+        (model_.links.stiffness[link] * model_.links.stretch(link, distance) / distance) * difference;
     force_.add(a, -pull);
     force_.add(b, pull);
   }

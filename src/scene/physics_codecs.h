@@ -13,6 +13,15 @@ inline constexpr double far = 1e6;
 template <class T, class Access>
 Keys<T> link_property_keys(Access access) {
   return {
+      key<T>("acts", [access](auto& t) -> auto& { return std::invoke(access, t).acts; },
+             {.help = "both: a link pulls when it is longer than its length and pushes when it is shorter; "
+                      "pull: a rope, slack when it is shorter; push: a buffer, free when it is longer; "
+                      "between: free from its length up to its longest"}),
+      key<T>("longest", [access](auto& t) -> auto& { return std::invoke(access, t).longest; },
+             {.unit = "× length",
+              .range = above_to(1, 1e6),
+              .fallback = "none",
+              .help = "at which a link that acts between begins to pull"}),
       key<T>("stiffness", [access](auto& t) -> auto& { return std::invoke(access, t).stiffness; },
              {.unit = "N/m",
               .range = above_to(0, 1e15),
@@ -42,6 +51,15 @@ struct Codec<MotionSpec> {
   static std::vector<KeyInfo> inner();
   static bool read(const Node& node, const KeyInfo& info, MotionSpec& out, Reader& reader);
   static std::string write(const MotionSpec& value);
+};
+
+/// How a solid turns: at a rate, or through angles.
+template <>
+struct Codec<std::optional<RotationSpec>> {
+  static std::string type() { return "a table"; }
+  static std::vector<KeyInfo> inner();
+  static bool read(const Node& node, const KeyInfo& info, std::optional<RotationSpec>& out, Reader& reader);
+  static std::string write(const std::optional<RotationSpec>& value);
 };
 
 template <>

@@ -18,12 +18,16 @@ class LimitsAndContacts {
     for (const Collider& collider : model.colliders) rebounds_ = rebounds_ || collider.restitution > 0.0;
   }
 
-  /// To be called once positions of the step have been predicted, in place of those of the state; the
-  /// positions at its start, which must stay where they are until keep().
-  void begin_step(const Vectors& start, const State& predicted) {
+  /// To be called before the first step and whenever links have broken.
+  void links_changed(const State& state) { limits_.links_changed(state); }
+
+  /// To be called once positions of the step have been predicted, in place of those of the state, whose time
+  /// is that of the start; the positions at its start, which must stay where they are until keep().
+  void begin_step(const Vectors& start, const State& predicted, double end_time) {
     limits_.begin_step();
     bodies_.begin_step(predicted.static_friction.bodies, start, predicted.position);
-    contacts_.begin_step(predicted.static_friction.solids, start, predicted.velocity, predicted.position);
+    contacts_.begin_step(predicted.static_friction.solids, start, predicted.velocity, predicted.position,
+                         predicted.time, end_time);
   }
 
   /// Whether there are none of them: then solve() need not be called.
@@ -42,12 +46,19 @@ class LimitsAndContacts {
   bool may_jump() const { return rebounds_ || limits_.pushed() || bodies_.touched() || contacts_.touched(); }
 
   /// Once velocities have been derived from positions.
-  void rebound(double h, Vectors& velocity) const { contacts_.rebound(h, velocity); }
+  void rebound(double h, const Vectors& position, Vectors& velocity) const {
+    contacts_.rebound(h, position, velocity);
+  }
 
   /// Once the step has been made.
   void keep(State& state) const {
     bodies_.keep(state.position, state.static_friction.bodies);
     contacts_.keep(state.position, state.static_friction.solids);
+  }
+
+  /// The tensions of one-sided links (N), see LimitSolver.
+  void give_tensions(double scale, std::vector<double>& tension) const {
+    limits_.give_tensions(scale, tension);
   }
 
   /// Limits solved in a pass.

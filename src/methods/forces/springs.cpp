@@ -8,13 +8,18 @@
 
 namespace taut {
 
-Springs gather_springs(const Model& model, const State& state) {
+Springs gather_springs(const Model& model, const State& state, OneSided one_sided) {
+  const bool all = one_sided == OneSided::taken;
   std::vector<Index> soft;
-  for (const Index link : solvable_links(model))
+  for (const Index link : all ? links_with_a_free_end(model) : solvable_links(model))
     if (!model.links.rigid(link) && !state.broken(link)) soft.push_back(link);
-  Springs springs{gather(model, soft), {}};
+  Springs springs{gather(model, soft), {}, {}};
+  for (const Index link : soft) springs.stiffness.push_back(model.links.stiffness[link]);
+  if (!all || !has_one_sided_links(model)) return springs;
   for (const Index link : soft) {
-    springs.stiffness.push_back(model.links.stiffness[link]);
+    const double length = model.links.length[link];
+    springs.free_range.push_back(model.links.one_sided(link) ? model.links.free_range[link]
+                                                             : FreeRange{length, length});
   }
   return springs;
 }
@@ -36,7 +41,7 @@ Pull pull_of(const Springs& springs, std::size_t i, const Vectors& position, con
   const Vec3 difference = position.at(a) - position.at(b);
   const double distance = difference.norm();
   const Vec3 direction = distance > 0.0 ? Vec3(difference / distance) : Vec3::Zero();
-  return {springs.stiffness[i] * (distance - springs.links.length[i]) +
+  return {springs.stiffness[i] * springs.stretch(i, distance) +
               springs.links.damping[i] * direction.dot(velocity.at(a) - velocity.at(b)),
           direction};
 }

@@ -19,12 +19,18 @@ inline constexpr double smallest_divisor = 1e-100;
 // masses. Every number is SI, but angles are in degrees. build() turns it into a Model and the State at the
 // start.
 
+/// Where a link acts: below and above its length; above it alone, as a rope does; below it alone, as a buffer
+/// does; or below its length and above its longest, and not between them.
+enum class LinkAction : std::uint8_t { both, pull, push, between };
+
 /// What links made together share.
 struct LinkProperties {
   std::optional<double> stiffness;      ///< N/m; rigid when absent
   double damping = 0.0;                 ///< N s/m
   std::optional<double> break_stretch;  ///< × length, > 1
   std::optional<double> break_tension;  ///< N
+  LinkAction acts = LinkAction::both;
+  std::optional<double> longest{};  ///< × length, > 1: of links that act "between"
 };
 
 struct SinusoidSpec {
@@ -33,10 +39,27 @@ struct SinusoidSpec {
   double phase = 0.0;              ///< rad
 };
 
-/// How a pin is driven: one of the two, or neither.
+/// How a pin or a solid is driven: one of them, or none.
 struct MotionSpec {
   std::optional<SinusoidSpec> sinusoid;
   std::vector<Knot> path;
+  std::string with;  ///< of a pin: the name of a solid that carries it
+};
+
+/// How a solid turns about an axis: through angles at times, or at a rate.
+struct RotationSpec {
+  Vec3 axis = Vec3::Zero();                  ///< of any length but 0
+  std::optional<Vec3> through;               ///< m, a point of the axis; absent: the solid's centre
+  std::vector<std::array<double, 2>> angle;  ///< (s, degrees)
+  std::optional<double> rate;                ///< degrees/s
+  double rise = 0.0;                         ///< s, in which the rate is reached
+};
+
+/// How a solid moves, where it does.
+struct SolidMotionSpec {
+  std::string name;  ///< for pins that it carries; may be empty
+  MotionSpec motion;
+  std::optional<RotationSpec> rotation;
 };
 
 struct MassSpec {
@@ -114,6 +137,7 @@ struct PlaneSpec {
   Vec3 normal = Vec3::UnitY();  ///< any length but 0
   double friction = 0.5;
   double restitution = 0.0;  ///< 0 to 1
+  SolidMotionSpec moves{};
 };
 
 struct SphereSpec {
@@ -121,6 +145,7 @@ struct SphereSpec {
   double radius = 1.0;         ///< m
   double friction = 0.5;
   double restitution = 0.0;  ///< 0 to 1
+  SolidMotionSpec moves{};
 };
 
 /// Everything within a radius of the line from `from` to `to`.
@@ -129,6 +154,7 @@ struct CapsuleSpec {
   double radius = 1.0;                          ///< m
   double friction = 0.5;
   double restitution = 0.0;  ///< 0 to 1
+  SolidMotionSpec moves{};
 };
 
 struct BoxSpec {
@@ -137,6 +163,7 @@ struct BoxSpec {
   Vec3 turn = Vec3::Zero();    ///< degrees about x, then y, then z
   double friction = 0.5;
   double restitution = 0.0;  ///< 0 to 1
+  SolidMotionSpec moves{};
 };
 
 /// A range for the angle at the second of three masses.
