@@ -92,7 +92,7 @@ std::optional<RestShape> hang_between(const Model& model, const State& start) {
 double last_change(const Model& model) {
   double last = 0.0;
   for (const DrivenPin& pin : model.driven_pins) last = std::max(last, last_change(pin.motion));
-  for (const Load& load : model.loads) last = std::max(last, load.to);
+  for (const Load& load : model.loads) last = std::max(last, load.gone < infinity ? load.gone : load.to);
   return last;
 }
 

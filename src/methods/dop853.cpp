@@ -58,6 +58,7 @@ Method dop853_method() {
   can.stiffness = true;
   can.limits = true;
   can.one_sided = true;
+  can.bending = true;
   can.most_limits = most_limits_solved_together;
   can.break_stretch = true;
   can.break_tension = true;

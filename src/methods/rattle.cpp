@@ -320,6 +320,7 @@ Method rattle_method() {
   can.stiffness = true;
   can.limits = true;
   can.one_sided = true;
+  can.bending = true;
   can.most_limits = most_limits_solved_together;
   can.joints = true;
   can.break_stretch = true;

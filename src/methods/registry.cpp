@@ -124,10 +124,11 @@ std::vector<std::string> capability_problems(const Model& model, const Method& m
   need(!model.contacts.empty() && only_ground, &Capabilities::ground, "ground plane");
   need(limits_angles(model), &Capabilities::limits, "limits on angles");
   need(has_one_sided_links(model), &Capabilities::one_sided, "links that act one way only");
+  need(!model.bends.empty(), &Capabilities::bending, "bending stiffness");
   if (model.limits.size() > method.can.most_limits)
     problems.push_back(fmt::format(
-        "method \"{}\" solves limits on angles and links that act one way only all together, which "
-        "takes memory and time for {} of them squared and cubed; {} is the most: use xpbd, verlet or "
+        "method \"{}\" solves stops and links that act one way only all together, in memory and time that "
+        "grow as the square and the cube of how many there are: {}, and {} is the most; use xpbd, verlet or "
         "shake",
         method.name, model.limits.size(), method.can.most_limits));
   need(!model.joints.empty(), &Capabilities::joints, "joints with damping or friction");

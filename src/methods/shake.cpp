@@ -193,6 +193,7 @@ Method shake_method() {
   can.stiffness = true;
   can.limits = true;
   can.one_sided = true;
+  can.bending = true;
   can.joints = true;
   can.break_stretch = true;
   can.break_tension = true;

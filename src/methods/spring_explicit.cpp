@@ -64,6 +64,7 @@ Method spring_explicit_method() {
   can.stiffness = true;
   can.rigid = false;
   can.one_sided = true;
+  can.bending = true;
   can.break_stretch = true;
   can.break_tension = true;
   return {"spring-explicit",

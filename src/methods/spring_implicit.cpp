@@ -41,6 +41,7 @@ class SpringImplicitStepper final : public SwappingStepper {
  private:
   void links_changed(const State& state) override {
     springs_ = gather_springs(model_, state, OneSided::taken);
+    bends_ = whole_bends(model_, state);
     analysed_ = false;
   }
 
@@ -68,7 +69,9 @@ class SpringImplicitStepper final : public SwappingStepper {
   // Newton's method until no mass moves by more than the tolerance on lengths.
   bool solve(const Vectors& start, double h, StepReport& report) {
     if (springs_.empty()) return true;
-    const double shortest = *std::min_element(springs_.links.length.begin(), springs_.links.length.end());
+    double shortest = infinity;
+    for (const double length : springs_.links.length) shortest = std::min(shortest, length);
+    if (shortest == infinity) shortest = 1.0;
     const double tolerance = length_tolerance(springs_.links, position_) * shortest;
     for (int round = 0; round < most_newton_rounds; ++round) {
       assemble(start, h);
@@ -107,6 +110,7 @@ class SpringImplicitStepper final : public SwappingStepper {
         entries_.emplace_back(unknown_[mass] + axis, unknown_[mass] + axis, inertia);
     }
     for (std::size_t i = 0; i < springs_.links.size(); ++i) add_spring(i, start, h);
+    for (const Bend& bend : bends_) add_bend(bend, h);
     const auto size = right_side_.size();
     matrix_.resize(size, size);
     matrix_.setFromTriplets(entries_.begin(), entries_.end());
@@ -134,6 +138,20 @@ class SpringImplicitStepper final : public SwappingStepper {
     add_block(std::max(unknown_[a], unknown_[b]), std::min(unknown_[a], unknown_[b]), -block);
   }
 
+  // Of a bend's stiffness k ∇φ ∇φᵀ alone: what its own curvature would add can be negative.
+  void add_bend(const Bend& bend, double h) {
+    const BendAngle turn = bend_gradients(bend, position_);
+    const double strength = h * h * bend.stiffness;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Eigen::Index row = unknown_[bend.masses[i]];
+      if (row >= 0) right_side_.segment<3>(row) -= strength * (turn.angle - bend.rest) * turn.gradient[i];
+      for (std::size_t j = 0; j < 3; ++j)
+        if (unknown_[bend.masses[j]] <= row)
+          add_block(row, unknown_[bend.masses[j]],
+                    strength * turn.gradient[i] * turn.gradient[j].transpose());
+    }
+  }
+
   void add_block(Eigen::Index row, Eigen::Index column, const Matrix3& block) {
     if (row < 0 || column < 0) return;  // a pin
     for (Eigen::Index i = 0; i < 3; ++i)
@@ -145,6 +163,7 @@ class SpringImplicitStepper final : public SwappingStepper {
   std::vector<Eigen::Index> unknown_;  // first of a mass's three unknowns; −1 for a pin
   std::vector<Index> free_;
   Springs springs_;
+  std::vector<Bend> bends_;
   bool analysed_ = false;
   Vectors inertial_, free_velocity_;
   std::vector<Eigen::Triplet<double>> entries_;
@@ -170,6 +189,7 @@ Method spring_implicit_method() {
   can.stiffness = true;
   can.rigid = false;
   can.one_sided = true;
+  can.bending = true;
   can.break_stretch = true;
   can.break_tension = true;
   return {"spring-implicit",

@@ -20,6 +20,7 @@ void add_masses(Builder& builder, const std::vector<MassSpec>& specs) {
     const Index mass =
         builder.add_mass(spec.name, spec.position, spec.velocity, spec.mass, spec.pinned, spec.radius);
     if (spec.pinned) builder.drive(mass, spec.motion);
+    builder.release_at(mass, spec.release);
   }
 }
 
@@ -75,7 +76,8 @@ void add_loads(Model& model, const std::vector<LoadSpec>& specs, std::vector<Pro
   NamePatterns names(model.masses);
   std::size_t loaded = 0;
   for (std::size_t i = 0; i < specs.size(); ++i) {
-    Load load{{}, specs[i].force, specs[i].from, specs[i].to};
+    const double until = specs[i].until.value_or(infinity);
+    Load load{{}, specs[i].force, specs[i].from, specs[i].to, until, specs[i].gone.value_or(until)};
     add_loaded_masses(load, specs[i].masses, i, model.masses, names, problems);
     loaded += load.masses.size();
     if (loaded > most) {
@@ -153,6 +155,7 @@ Built build(const Description& description) {
   const MassesByName by_name = names_in_use(description, builder.model.masses);
   add_links(builder, description.links, by_name, built.problems);
   find_overreach(builder, built.problems);
+  add_seams(builder, description, built.problems);
   add_loads(builder.model, description.loads, built.problems);
   add_limits(builder, description, by_name, built.problems);
   if (description.wind && description.wind->density * description.wind->drag_coefficient > 0.0)

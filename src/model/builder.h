@@ -28,11 +28,18 @@ class Builder {
   /// Adds a link and returns its index.
   Index add_link(Index a, Index b, double length, const LinkProperties& properties,
                  LinkFamily family = LinkFamily::structural);
+  /// Adds a bend, unless its stiffness is 0, which rests as it starts or as it says.
+  void add_bend(Bend bend, bool from_start);
   /// Adds a bone, which touches what there is to touch in place of the masses at its ends.
   void add_bone(const Bone& bone);
   /// Drives a pinned mass, which is put where the motion begins; a spec that names no motion does nothing.
   void drive(Index mass, const MotionSpec& motion);
   void drive(Index mass, Motion motion);
+  /// Multiplies what a link bears: its tension, and its stretch beyond its length.
+  void weaken(Index link, double share);
+  /// Lets links break, and the pin of a mass go, at a time (s); nothing where there is no pin or no time.
+  void break_links_at(double time, const std::vector<Index>& links);
+  void release_at(Index mass, const std::optional<double>& time);
   /// Whether anything touches other bodies.
   bool any_body() const { return bodies_ > 0; }
 
@@ -50,6 +57,7 @@ class Builder {
   std::vector<Entry> entries;
 
  private:
+  Change& change_at(double time);
   void add_free_range(Index link, const LinkProperties& properties);
 
   Index body_ = no_body, bodies_ = 0;
@@ -66,6 +74,9 @@ void add_sheet(Builder& builder, const SheetSpec& spec);
 /// Adds all of a valid ragdoll; reports joints that are outside their ranges at the start.
 void add_ragdoll(Builder& builder, const RagdollSpec& spec, std::size_t index,
                  std::vector<Problem>& problems);
+
+/// Lets links give way where seams are; reports names that nothing has, and seams without links.
+void add_seams(Builder& builder, const Description& description, std::vector<Problem>& problems);
 
 /// Adds the limits on angles; reports names that no mass has, angles without a direction, and those outside
 /// their range at the start.

@@ -71,6 +71,18 @@ class Checker {
               key("break_stretch"),
               fmt::format("break_stretch must be above 1, not {}", *properties.break_stretch));
     if (properties.break_tension) positive(*properties.break_tension, key("break_tension"), "N");
+    if (properties.break_at) positive(*properties.break_at, key("break_at"), "s");
+    require(properties.scatter >= 0.0 && properties.scatter < 1.0, key("scatter"),
+            fmt::format("scatter must be from 0 to below 1, not {}", properties.scatter));
+    require(properties.scatter == 0.0 || properties.break_stretch || properties.break_tension, key("scatter"),
+            "scatter is of break_stretch or break_tension, and there is neither");
+    require(properties.scatter_seed >= 0, key("scatter_seed"),
+            fmt::format("scatter_seed must be 0 or more, not {}", properties.scatter_seed));
+  }
+  void release(const std::optional<double>& time, bool pinned, std::string_view key) {
+    if (!time) return;
+    positive(*time, key, "s");
+    require(pinned, key, fmt::format("{} is only for what is pinned", key));
   }
   void motion(const MotionSpec& motion, bool pinned, std::string_view key) {
     if (!motion.sinusoid && motion.path.empty() && motion.with.empty()) return;

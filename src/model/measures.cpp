@@ -42,6 +42,7 @@ Energy energy_of_masses(const Model& model, const State& state) {
     const double excess = std::max(overshoot(limit, limit_angle(limit, state.position)).size, 0.0);
     energy.elastic += 0.5 * excess * excess / limit.compliance;
   }
+  energy.elastic += bending_energy(model, state);
   return energy;
 }
 
@@ -128,7 +129,7 @@ double sag(const Model& model, const State& state) {
     const double height = up.dot(state.position.at(i));
     lowest = std::min(lowest, height);
     highest = std::max(highest, height);
-    if (model.masses.pinned(i)) lowest_pin = std::min(lowest_pin, height);
+    if (model.masses.held(i, state.time)) lowest_pin = std::min(lowest_pin, height);
   }
   return (lowest_pin < infinity ? lowest_pin : highest) - lowest;
 }

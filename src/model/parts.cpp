@@ -144,6 +144,19 @@ std::string wind_extent(const Model& model) {
   return speed == 0.0 ? "still air" : fmt::format("{:.4g} m/s", speed);
 }
 
+std::string bending_extent(const Model& model) {
+  return counted(model.bends.size(), "place", "places");
+}
+
+std::string changes_extent(const Model& model) {
+  return counted(model.changes.size(), "moment", "moments");
+}
+
+void remove_changes(Model& model) {
+  model.changes.clear();
+  model.masses.release_at.clear();
+}
+
 constexpr std::array parts{
     Part{"unequal masses", masses_extent, remove_unequal_masses},
     Part{"compliance", compliance_extent, remove_compliance},
@@ -157,6 +170,8 @@ constexpr std::array parts{
     Part{"limits", limits_extent, [](Model& model) { std::erase_if(model.limits, on_angle); }},
     Part{"one-sided links", one_sided_extent, remove_one_sided},
     Part{"joints", joints_extent, [](Model& model) { model.joints.clear(); }},
+    Part{"bending", bending_extent, [](Model& model) { model.bends.clear(); }},
+    Part{"breaks and releases at a time", changes_extent, remove_changes},
     Part{"wind", wind_extent, [](Model& model) { model.wind.reset(); }},
 };
 

@@ -4,13 +4,13 @@ namespace taut {
 namespace {
 
 // An angle and its derivatives (rad, rad/s, rad/s²).
-struct Turned {
+struct AngleMotion {
   double angle = 0.0, rate = 0.0, change = 0.0;
 };
 
 // With u = t/rise the rate is that of the cubic 3u² − 2u³, whose slope is 0 at both ends, and so
 // angle = rate·rise (u³ − u⁴/2).
-Turned turned_by(const SteadyTurn& turn, double time) {
+AngleMotion turned_by(const SteadyTurn& turn, double time) {
   if (time <= 0.0) return {0.0, turn.rise > 0.0 ? 0.0 : turn.rate, 0.0};
   if (time >= turn.rise) return {turn.rate * (time - 0.5 * turn.rise), turn.rate, 0.0};
   const double u = time / turn.rise;
@@ -18,15 +18,15 @@ Turned turned_by(const SteadyTurn& turn, double time) {
           turn.rate * 6.0 * u * (1.0 - u) / turn.rise};
 }
 
-Turned turned_by(const Path& path, double time) {
+AngleMotion turned_by(const Path& path, double time) {
   return {position_at(path, time).x(), velocity_at(path, time).x(), acceleration_at(path, time).x()};
 }
 
-Turned turned_by(std::monostate, double) {
+AngleMotion turned_by(std::monostate, double) {
   return {};
 }
 
-Turned turned_at(const SolidMotion& motion, double time) {
+AngleMotion turned_at(const SolidMotion& motion, double time) {
   return std::visit([time](const auto& turn) { return turned_by(turn, time); }, motion.turn);
 }
 
@@ -51,7 +51,7 @@ Placement placement_at(const SolidMotion& motion, double time) {
 }
 
 Twist twist_at(const SolidMotion& motion, double time) {
-  const Turned turned = turned_at(motion, time);
+  const AngleMotion turned = turned_at(motion, time);
   const Vec3 none = Vec3::Zero();
   return {centre_at(motion, time),
           of_way(motion, none, [time](const auto& way) { return velocity_at(way, time); }),

@@ -74,6 +74,45 @@ const Keys<RotationSpec>& rotation_keys() {
   return keys;
 }
 
+template <class Spec>
+Key<Spec> from_start_key() {
+  return key<Spec>("from_start", &Spec::from_start,
+                   {.help = "whether it rests as it is bent at the start; else straight"});
+}
+
+const Keys<BendingSpec>& bending_keys() {
+  static const Keys<BendingSpec> keys{
+      key<BendingSpec>("stiffness", &BendingSpec::stiffness,
+                       {.unit = "N m/rad",
+                        .range = between(0, 1e12),
+                        .required = true,
+                        .help = "of each inner mass; a rod of EI in N m² has EI over the length of a link"}),
+      from_start_key<BendingSpec>(),
+  };
+  return keys;
+}
+
+const Keys<SheetBendingSpec>& sheet_bending_keys() {
+  static const Keys<SheetBendingSpec> keys{
+      key<SheetBendingSpec>(
+          "stiffness", &SheetBendingSpec::stiffness,
+          {.unit = "N m/rad",
+           .range = between(0, 1e12),
+           .help = "of each inner mass along its row and along its column; cloth of D in N m has "
+                   "D times the width that a mass stands for over the length of a link"}),
+      key<SheetBendingSpec>(
+          "warp", &SheetBendingSpec::warp,
+          {.unit = "N m/rad", .range = between(0, 1e12), .fallback = "stiffness", .help = "along columns"}),
+      key<SheetBendingSpec>(
+          "weft", &SheetBendingSpec::weft,
+          {.unit = "N m/rad", .range = between(0, 1e12), .fallback = "stiffness", .help = "along rows"}),
+      key<SheetBendingSpec>("bias", &SheetBendingSpec::bias,
+                            {.unit = "N m/rad", .range = between(0, 1e12), .help = "along both diagonals"}),
+      from_start_key<SheetBendingSpec>(),
+  };
+  return keys;
+}
+
 const Keys<HookSpec>& hook_keys() {
   static const Keys<HookSpec> keys{
       key<HookSpec>("every", &HookSpec::every,
@@ -153,6 +192,33 @@ bool Codec<std::optional<RotationSpec>>::read(const Node& node, const KeyInfo& i
 
 std::string Codec<std::optional<RotationSpec>>::write(const std::optional<RotationSpec>& value) {
   return value ? write_inline(rotation_keys(), *value) : "";
+}
+
+std::vector<KeyInfo> Codec<std::optional<BendingSpec>>::inner() {
+  return infos(bending_keys());
+}
+
+bool Codec<std::optional<BendingSpec>>::read(const Node& node, const KeyInfo& info,
+                                             std::optional<BendingSpec>& out, Reader& reader) {
+  return read_table(node, bending_keys(), in_quotes(info.name), TableKind::value, out.emplace(), reader);
+}
+
+std::string Codec<std::optional<BendingSpec>>::write(const std::optional<BendingSpec>& value) {
+  return value ? write_inline(bending_keys(), *value) : "";
+}
+
+std::vector<KeyInfo> Codec<std::optional<SheetBendingSpec>>::inner() {
+  return infos(sheet_bending_keys());
+}
+
+bool Codec<std::optional<SheetBendingSpec>>::read(const Node& node, const KeyInfo& info,
+                                                  std::optional<SheetBendingSpec>& out, Reader& reader) {
+  return read_table(node, sheet_bending_keys(), in_quotes(info.name), TableKind::value, out.emplace(),
+                    reader);
+}
+
+std::string Codec<std::optional<SheetBendingSpec>>::write(const std::optional<SheetBendingSpec>& value) {
+  return value ? write_inline(sheet_bending_keys(), *value) : "";
 }
 
 std::vector<KeyInfo> Codec<HookSpec>::inner() {

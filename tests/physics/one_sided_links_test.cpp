@@ -121,7 +121,8 @@ TEST(OneSidedLinks, BetweenTwoLengthsItIsFree) {
   const Built up = build_valid(tied(LinkAction::between, {0.0, 1.2, 0.0}));
   const Built down = build_valid(tied(LinkAction::between, {0.0, -1.2, 0.0}));
   for (const std::string& method : methods_for(up.model)) {
-    EXPECT_NEAR(run(up, fine(method), 0.1).position.at(1).y(), 1.2 - 0.5 * pull_of_earth * 0.01, 5e-3) << method;
+    EXPECT_NEAR(run(up, fine(method), 0.1).position.at(1).y(), 1.2 - 0.5 * pull_of_earth * 0.01, 5e-3)
+        << method;
     EXPECT_NEAR(run(up, fine(method), 1.0).position.at(1).y(), 1.0, 1e-3) << method;
     EXPECT_NEAR(run(down, fine(method), 1.0).position.at(1).y(), -1.5, 1e-3) << method;
   }

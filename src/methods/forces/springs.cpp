@@ -13,7 +13,7 @@ Springs gather_springs(const Model& model, const State& state, OneSided one_side
   std::vector<Index> soft;
   for (const Index link : all ? links_with_a_free_end(model) : solvable_links(model))
     if (!model.links.rigid(link) && !state.broken(link)) soft.push_back(link);
-  Springs springs{gather(model, soft), {}, {}};
+  Springs springs{gather(model, soft), {}, {}, BendForces(model, state)};
   for (const Index link : soft) springs.stiffness.push_back(model.links.stiffness[link]);
   if (!all || !has_one_sided_links(model)) return springs;
   for (const Index link : soft) {
@@ -65,6 +65,7 @@ void kick_by_springs(const Springs& springs, double h, const Vectors& position, 
     kicked.add(springs.links.a[i], (springs.links.weight_a[i] * impulse) * pull.direction);
     kicked.add(springs.links.b[i], -(springs.links.weight_b[i] * impulse) * pull.direction);
   }
+  springs.bends.kick(h, position, kicked);
 }
 
 double highest_frequency(const Springs& springs, const Vectors& position) {
@@ -87,6 +88,7 @@ double highest_frequency(const Springs& springs, const Vectors& position) {
     along_links(springs.links, direction, mode, pull);
     for (std::size_t i = 0; i < pull.size(); ++i) pull[i] *= springs.stiffness[i];
     apply_impulses(springs.links, direction, pull, next);
+    springs.bends.add_product(position, mode, next);
     const double size = std::sqrt(squared_norm(next));
     if (size == 0.0) return 0.0;
     for (std::size_t i = 0; i < next.size(); ++i) next.set(i, next.at(i) / size);
@@ -115,6 +117,7 @@ double spring_frequency_bound(const Model& model, const State& state) {
     sum[links.a[i]] += share * springs.stiffness[i] * links.weight_a[i];
     sum[links.b[i]] += share * springs.stiffness[i] * links.weight_b[i];
   }
+  springs.bends.add_rows(state.position, sum);
   double largest = 0.0;
   for (const double value : sum) largest = std::max(largest, value);
   return std::sqrt(largest);

@@ -5,16 +5,19 @@
 #include <vector>
 
 #include "direct/link_system.h"
+#include "forces/bend_forces.h"
 
 namespace taut {
 
-/// Links with stiffness and damping as forces.
+/// Links with stiffness and damping, and bends, as forces.
 struct Springs {
   SystemLinks links;
   std::vector<double> stiffness;      ///< N/m
   std::vector<FreeRange> free_range;  ///< empty where none is one-sided
 
-  bool empty() const { return links.size() == 0; }
+  BendForces bends;
+
+  bool empty() const { return links.size() == 0 && bends.empty(); }
   /// How far (m) a spring is beyond where it does nothing.
   double stretch(std::size_t i, double distance) const {
     if (free_range.empty()) return distance - links.length[i];

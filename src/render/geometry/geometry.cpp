@@ -7,6 +7,7 @@
 #include "geometry/loose_threads.h"
 #include "geometry/picture_space.h"
 #include "geometry/supports.h"
+#include "geometry/turning_marks.h"
 #include "geometry/view_matrices.h"
 #include "model/measures.h"
 
@@ -92,8 +93,10 @@ std::shared_ptr<const Geometry> GeometryMaker::make(const State& state, const Ca
     geometry->links.insert(geometry->links.end(), threads.begin(), threads.end());
   }
   if (look.colliders)
-    for (const Collider& collider : model.colliders)
+    for (const Collider& collider : model.colliders) {
       add_shape(geometry->bodies, space.seen(shape_at(collider, state.time)), look.collider_colour);
+      add_turning_marks(geometry->bodies, collider, state.time, space, look.collider_colour);
+    }
   if (look.bones) add_figures(geometry->bodies, bodies, seen, look, values, geometry->scale);
   if (start)
     add_mass_boxes(geometry->bodies, model, space.seen(*start), seen, look, radii, values, geometry->scale);

@@ -69,6 +69,7 @@ struct Capabilities {
   bool one_sided = false;  ///< links that only pull or only push
   std::size_t most_limits =
       std::numeric_limits<std::size_t>::max();  ///< of both, where they are solved all together
+  bool bending = false;                         ///< chains and sheets that resist bending
   bool joints = false;                          ///< joints with damping or friction
   bool colliders = false;                       ///< solids of any shape, rebound, bodies that touch
   bool drag = true;

@@ -30,7 +30,24 @@ struct LinkProperties {
   std::optional<double> break_stretch;  ///< × length, > 1
   std::optional<double> break_tension;  ///< N
   LinkAction acts = LinkAction::both;
-  std::optional<double> longest{};  ///< × length, > 1: of links that act "between"
+  std::optional<double> longest{};   ///< × length, > 1: of links that act "between"
+  std::optional<double> break_at{};  ///< s
+  double scatter = 0.0;              ///< share, up to which thresholds differ from link to link
+  int scatter_seed = 1;
+};
+
+/// How a chain resists being bent.
+struct BendingSpec {
+  double stiffness = 0.0;   ///< N m/rad, of each inner mass
+  bool from_start = false;  ///< rests as it starts, else straight
+};
+
+/// How a sheet does, along its columns (warp), its rows (weft) and its diagonals (bias).
+struct SheetBendingSpec {
+  double stiffness = 0.0;            ///< N m/rad, of each inner mass along warp and weft
+  std::optional<double> warp, weft;  ///< N m/rad, in place of it
+  double bias = 0.0;                 ///< N m/rad
+  bool from_start = false;           ///< rests as it starts, else flat
 };
 
 struct SinusoidSpec {
@@ -68,9 +85,10 @@ struct MassSpec {
   Vec3 velocity = Vec3::Zero();  ///< m/s; ignored when pinned
   double mass = 1.0;             ///< kg; ignored when pinned
   bool pinned = false;
-  MotionSpec motion;      ///< only for pinned masses
-  double radius = 0.0;    ///< m, of contact with colliders
-  bool collides = false;  ///< whether it touches other bodies that do so
+  MotionSpec motion;                ///< only for pinned masses
+  double radius = 0.0;              ///< m, of contact with colliders
+  bool collides = false;            ///< whether it touches other bodies that do so
+  std::optional<double> release{};  ///< s, when its pin lets go of it
 };
 
 struct LinkSpec {
@@ -92,8 +110,10 @@ struct ChainSpec {
   std::vector<std::string> pinned;       ///< "first", "last"
   MotionSpec first_motion, last_motion;  ///< only for ends that are pinned
   LinkProperties properties;
-  double radius = 0.0;    ///< m, of every mass, for contact
-  bool collides = false;  ///< whether it touches other bodies that do so
+  double radius = 0.0;                                    ///< m, of every mass, for contact
+  bool collides = false;                                  ///< whether it touches other bodies that do so
+  std::optional<double> first_release{}, last_release{};  ///< s, when the pins of the ends let go
+  std::optional<BendingSpec> bending{};
 };
 
 /// One more family of links in a sheet, with properties of its own.
@@ -119,17 +139,30 @@ struct SheetSpec {
   HookSpec hooks;
   std::vector<std::string>
       pinned;  ///< "top", "bottom", "left", "right", "top-left", "top-right", "bottom-left", "bottom-right"
-  LinkProperties properties;  ///< of the links along rows and columns
-  ExtraLinks diagonals;       ///< both diagonals of every cell
-  ExtraLinks skip_one;        ///< from every mass to the next but one along rows and columns
-  double radius = 0.0;        ///< m, of every mass, for contact
-  bool collides = false;      ///< whether it touches other bodies that do so
+  LinkProperties properties;        ///< of the links along rows and columns
+  ExtraLinks diagonals;             ///< both diagonals of every cell
+  ExtraLinks skip_one;              ///< from every mass to the next but one along rows and columns
+  double radius = 0.0;              ///< m, of every mass, for contact
+  bool collides = false;            ///< whether it touches other bodies that do so
+  ExtraLinks weft{};                ///< of the links along rows, in place of `properties`
+  std::optional<double> release{};  ///< s, when all of its pins let go
+  std::optional<SheetBendingSpec> bending{};
 };
 
 struct LoadSpec {
-  std::vector<std::string> masses;  ///< names; a part between dots may be *
-  Vec3 force = Vec3::Zero();        ///< N on each
-  double from = 0.0, to = 0.0;      ///< s
+  std::vector<std::string> masses;        ///< names; a part between dots may be *
+  Vec3 force = Vec3::Zero();              ///< N on each
+  double from = 0.0, to = 0.0;            ///< s
+  std::optional<double> until{}, gone{};  ///< s; stays where there is no until
+};
+
+/// Where a chain or a sheet is to give way: links between two sets of masses, or across a line of a sheet.
+struct SeamSpec {
+  std::vector<std::string> a, b;   ///< names; a part between dots may be *
+  std::string sheet;               ///< in place of them: its name, and
+  std::optional<int> row, column;  ///< the row or column beyond which the seam lies
+  std::optional<double> strength;  ///< share of the thresholds that the links have otherwise
+  std::optional<double> break_stretch, break_tension, break_at;  ///< in place of those: × length, N, s
 };
 
 struct PlaneSpec {
@@ -255,6 +288,7 @@ struct Description {
   std::vector<ChainSpec> chains;
   std::vector<SheetSpec> sheets;
   std::vector<LoadSpec> loads;
+  std::vector<SeamSpec> seams;
   std::vector<PlaneSpec> planes;
   std::vector<SphereSpec> spheres;
   std::vector<CapsuleSpec> capsules;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/vectors.h"
+#include "model/bends.h"
 #include "model/colliders.h"
 #include "model/joints.h"
 #include "model/limits.h"
@@ -25,9 +26,15 @@ struct Masses {
   std::vector<double> mass;          ///< kg
   std::vector<double> inverse_mass;  ///< 1/kg; 0 when pinned
   std::vector<double> radius;        ///< m, of contact; 0: a point
+  std::vector<double> release_at;    ///< s, when a pin lets go of it; infinity = never; empty where none does
 
   std::size_t size() const { return mass.size(); }
+  /// Whether it is a pin at the start of a run.
   bool pinned(std::size_t i) const { return inverse_mass[i] == 0.0; }
+  /// Whether it is a pin at a time.
+  bool held(std::size_t i, double time) const {
+    return pinned(i) && (release_at.empty() || time < release_at[i]);
+  }
 };
 
 /// What a link is for: to carry, or to stand in for a sheet's stiffness against shear or bending.
@@ -74,15 +81,24 @@ struct DrivenPin {
   Motion motion;
 };
 
-/// A force on each of some masses that grows linearly from nothing at `from` to `force` at `to`, and stays.
+/// What happens at a time whatever the masses do: links break, and pins let go of their masses.
+struct Change {
+  double time = 0.0;  ///< s, above 0
+  std::vector<Index> links, pins;
+};
+
+/// A force on each of some masses that grows linearly from nothing at `from` to `force` at `to`, stays until
+/// `until`, and is gone, as linearly, at `gone`.
 struct Load {
   std::vector<Index> masses;
-  Vec3 force = Vec3::Zero();  ///< N on each mass
-  double from = 0.0;          ///< s
-  double to = 0.0;            ///< s
+  Vec3 force = Vec3::Zero();                                             ///< N on each mass
+  double from = 0.0;                                                     ///< s
+  double to = 0.0;                                                       ///< s
+  double until = std::numeric_limits<double>::infinity(), gone = until;  ///< s
 
   /// The share of the full force at a time, 0 to 1.
   double share(double time) const {
+    if (time >= until) return time >= gone ? 0.0 : (gone - time) / (gone - until);
     return time >= to ? 1.0 : time <= from ? 0.0 : (time - from) / (to - from);
   }
 };
@@ -137,13 +153,16 @@ struct Model {
   std::vector<ContactPoint> contacts;  ///< what touches them; none without colliders and touching bodies
   std::vector<Limit> limits;
   std::vector<Joint> joints;  ///< those that resist
+  std::vector<Bend> bends;
+  std::vector<Change> changes;  ///< in order of time, no two at the same
   std::optional<Wind> wind;
   std::vector<Triangle> triangles;
   std::vector<Sheet> sheets;
   std::vector<Chain> chains;
   std::vector<Ragdoll> ragdolls;
   std::vector<Bone> bones;
-  std::vector<Index> breakable_links;  ///< those with a finite break_stretch or break_tension, in file order
+  std::vector<Index> breakable_links;  ///< those with a finite break_stretch or break_tension, or that
+                                       ///< break at a time, in file order
 };
 
 /// Sum of the lengths of all links (m): the size that relative accuracies refer to.
