@@ -14,9 +14,11 @@
 namespace taut {
 namespace {
 
-// The entry that a name such as "capsule.1" means of a section.
+// The solid of a section that a name such as "drum" or "capsule.1" means.
 template <typename Spec>
 const Spec* entry_named(std::string_view name, std::string_view section, const std::vector<Spec>& specs) {
+  for (const Spec& spec : specs)
+    if (!name.empty() && spec.moves.name == name) return &spec;
   if (!name.starts_with(section) || name.size() <= section.size() + 1 || name[section.size()] != '.')
     return nullptr;
   const std::string_view digits = name.substr(section.size() + 1);
@@ -86,8 +88,12 @@ std::optional<Spool> spool_of(const ChainSpec& chain, const Description& descrip
 
 std::vector<std::string> spool_names(const Description& description) {
   std::vector<std::string> names;
-  for (std::size_t i = 0; i < description.spheres.size(); ++i) names.push_back(fmt::format("sphere.{}", i));
-  for (std::size_t i = 0; i < description.capsules.size(); ++i) names.push_back(fmt::format("capsule.{}", i));
+  const auto add = [&names](std::string_view section, const auto& specs) {
+    for (std::size_t i = 0; i < specs.size(); ++i)
+      names.push_back(specs[i].moves.name.empty() ? fmt::format("{}.{}", section, i) : specs[i].moves.name);
+  };
+  add("sphere", description.spheres);
+  add("capsule", description.capsules);
   return names;
 }
 

@@ -13,7 +13,8 @@ class Checker;
 struct Spool;
 
 /// The solid that a winding goes around, as wide as the middle of the chain lies off its axis (m); nothing
-/// where the scene has no sphere or capsule of that name ("sphere.0", "capsule.1").
+/// where the scene has no sphere or capsule of that name, or of that section and number ("sphere.0",
+/// "capsule.1").
 std::optional<Spool> spool_of(const ChainSpec& chain, const Description& description);
 
 /// The names that a winding may go around.

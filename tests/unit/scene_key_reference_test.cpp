@@ -31,112 +31,54 @@ std::set<std::string> keys_of(const std::string& heading) {
 
 using Names = std::set<std::string>;
 
+Names operator+(Names all, const Names& more) {
+  all.insert(more.begin(), more.end());
+  return all;
+}
+
+// Keys within another one.
+Names within(const std::string& key, const Names& inner) {
+  Names names{key};
+  for (const std::string& name : inner) names.insert(key + "." + name);
+  return names;
+}
+
+const Names links{"acts",          "longest",  "stiffness", "damping",     "break_stretch",
+                  "break_tension", "break_at", "scatter",   "scatter_seed"};
+const Names motion{"amplitude", "angular_frequency", "phase", "path", "with"};
+const Names solid = Names{"name", "friction", "restitution", "visible", "colour"} + within("motion", motion) +
+                    within("rotation", {"axis", "through", "rate", "rise", "angle"});
+
 TEST(KeyReference, ListsEveryKeyOfEverySection) {
   EXPECT_EQ(keys_of("Top level"), (Names{"title"}));
   EXPECT_EQ(keys_of("`[world]`"), (Names{"gravity", "duration", "drag", "accuracy"}));
-  EXPECT_EQ(keys_of("`[[chain]]`"), (Names{"name",
-                                           "from",
-                                           "to",
-                                           "points",
-                                           "smooth",
-                                           "wound",
-                                           "wound.around",
-                                           "wound.turns",
-                                           "wound.start",
-                                           "wound.end",
-                                           "wound.axis",
-                                           "links",
-                                           "length",
-                                           "mass",
-                                           "last_mass",
-                                           "radius",
-                                           "collides",
-                                           "pinned",
-                                           "first_motion",
-                                           "first_motion.amplitude",
-                                           "first_motion.angular_frequency",
-                                           "first_motion.phase",
-                                           "first_motion.path",
-                                           "last_motion",
-                                           "last_motion.amplitude",
-                                           "last_motion.angular_frequency",
-                                           "last_motion.phase",
-                                           "last_motion.path",
-                                           "stiffness",
-                                           "damping",
-                                           "break_stretch",
-                                           "break_tension",
-                                           "visible",
-                                           "colour",
-                                           "draw"}));
-  EXPECT_EQ(keys_of("`[[sheet]]`"), (Names{"name",
-                                           "rows",
-                                           "columns",
-                                           "from",
-                                           "to",
-                                           "down",
-                                           "mass",
-                                           "fullness",
-                                           "radius",
-                                           "collides",
-                                           "hooks",
-                                           "hooks.every",
-                                           "hooks.draw",
-                                           "pinned",
-                                           "top_motion",
-                                           "top_motion.amplitude",
-                                           "top_motion.angular_frequency",
-                                           "top_motion.phase",
-                                           "top_motion.path",
-                                           "bottom_motion",
-                                           "bottom_motion.amplitude",
-                                           "bottom_motion.angular_frequency",
-                                           "bottom_motion.phase",
-                                           "bottom_motion.path",
-                                           "left_motion",
-                                           "left_motion.amplitude",
-                                           "left_motion.angular_frequency",
-                                           "left_motion.phase",
-                                           "left_motion.path",
-                                           "right_motion",
-                                           "right_motion.amplitude",
-                                           "right_motion.angular_frequency",
-                                           "right_motion.phase",
-                                           "right_motion.path",
-                                           "stiffness",
-                                           "damping",
-                                           "break_stretch",
-                                           "break_tension",
-                                           "diagonals",
-                                           "diagonals.stiffness",
-                                           "diagonals.damping",
-                                           "diagonals.break_stretch",
-                                           "diagonals.break_tension",
-                                           "skip_one",
-                                           "skip_one.stiffness",
-                                           "skip_one.damping",
-                                           "skip_one.break_stretch",
-                                           "skip_one.break_tension",
-                                           "visible",
-                                           "colour",
-                                           "back_colour",
-                                           "draw"}));
-  EXPECT_EQ(keys_of("`[[mass]]`"), (Names{"name", "position", "velocity", "mass", "pinned", "motion",
-                                          "motion.amplitude", "motion.angular_frequency", "motion.phase",
-                                          "motion.path", "radius", "collides", "visible", "colour"}));
-  EXPECT_EQ(keys_of("`[[link]]`"), (Names{"a", "b", "length", "stiffness", "damping", "break_stretch",
-                                          "break_tension", "visible", "colour"}));
-  EXPECT_EQ(keys_of("`[[tie]]`"),
-            (Names{"a", "b", "every", "stiffness", "damping", "break_stretch", "break_tension"}));
-  EXPECT_EQ(keys_of("`[[load]]`"), (Names{"masses", "force", "from", "to"}));
-  EXPECT_EQ(keys_of("`[[plane]]`"),
-            (Names{"point", "normal", "friction", "restitution", "visible", "colour"}));
-  EXPECT_EQ(keys_of("`[[sphere]]`"),
-            (Names{"centre", "radius", "friction", "restitution", "visible", "colour"}));
-  EXPECT_EQ(keys_of("`[[capsule]]`"),
-            (Names{"from", "to", "radius", "friction", "restitution", "visible", "colour"}));
-  EXPECT_EQ(keys_of("`[[box]]`"),
-            (Names{"centre", "size", "turn", "friction", "restitution", "visible", "colour"}));
+  EXPECT_EQ(keys_of("`[[chain]]`"),
+            (Names{"name", "from", "to", "points", "smooth", "links", "length", "mass", "last_mass", "radius",
+                   "collides", "pinned", "first_release", "last_release"} +
+             within("first_motion", motion) + within("last_motion", motion) +
+             within("wound", {"around", "turns", "start", "end", "axis"}) +
+             within("bending", {"stiffness", "from_start"}) + links + Names{"visible", "colour", "draw"}));
+  EXPECT_EQ(
+      keys_of("`[[sheet]]`"),
+      (Names{"name", "rows", "columns", "from", "to", "down", "mass", "fullness", "radius", "collides",
+             "pinned", "release"} +
+       within("hooks", {"every", "draw"}) + within("top_motion", motion) + within("bottom_motion", motion) +
+       within("left_motion", motion) + within("right_motion", motion) +
+       within("bending", {"stiffness", "warp", "weft", "bias", "from_start"}) + links +
+       within("weft", links) + within("diagonals", links) + within("skip_one", links) +
+       Names{"visible", "colour", "back_colour", "draw"}));
+  EXPECT_EQ(keys_of("`[[mass]]`"), (Names{"name", "position", "velocity", "mass", "pinned", "release",
+                                          "radius", "collides", "visible", "colour"} +
+                                    within("motion", motion)));
+  EXPECT_EQ(keys_of("`[[link]]`"), (Names{"a", "b", "length", "visible", "colour"} + links));
+  EXPECT_EQ(keys_of("`[[tie]]`"), (Names{"a", "b", "every"} + links));
+  EXPECT_EQ(keys_of("`[[load]]`"), (Names{"masses", "force", "from", "to", "until", "gone"}));
+  EXPECT_EQ(keys_of("`[[seam]]`"), (Names{"sheet", "row", "column", "a", "b", "strength", "break_stretch",
+                                          "break_tension", "break_at"}));
+  EXPECT_EQ(keys_of("`[[plane]]`"), (Names{"point", "normal"} + solid));
+  EXPECT_EQ(keys_of("`[[sphere]]`"), (Names{"centre", "radius"} + solid));
+  EXPECT_EQ(keys_of("`[[capsule]]`"), (Names{"from", "to", "radius"} + solid));
+  EXPECT_EQ(keys_of("`[[box]]`"), (Names{"centre", "size", "turn"} + solid));
   EXPECT_EQ(keys_of("`[wind]`"),
             (Names{"velocity", "gust", "gust_time", "seed", "density", "drag_coefficient"}));
   EXPECT_EQ(keys_of("`[[angle]]`"), (Names{"masses", "min", "max", "compliance"}));

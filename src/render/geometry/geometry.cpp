@@ -8,6 +8,7 @@
 #include "geometry/loose_threads.h"
 #include "geometry/picture_space.h"
 #include "geometry/supports.h"
+#include "geometry/turning_marks.h"
 #include "geometry/view_matrices.h"
 #include "model/measures.h"
 
@@ -143,13 +144,17 @@ std::shared_ptr<const Geometry> GeometryMaker::make(const State& state, const Ca
         loose_threads(*cloth, *topology, geometry->surface, seen, to_glm(down), look);
     geometry->links.insert(geometry->links.end(), threads.begin(), threads.end());
   }
-  for (std::size_t i = 0; i < model.colliders.size(); ++i)
-    if (appearance.solids[i])
-      add_shape(geometry->bodies, space.seen(model.colliders[i].shape), solid_colour(look, appearance, i));
+  for (std::size_t i = 0; i < model.colliders.size(); ++i) {
+    if (!appearance.solids[i]) continue;
+    const Collider& collider = model.colliders[i];
+    const Colour colour = solid_colour(look, appearance, i);
+    add_shape(geometry->bodies, space.seen(shape_at(collider, state.time)), colour);
+    add_turning_marks(geometry->bodies, collider, state.time, space, colour);
+  }
   add_figures(geometry->bodies, bodies, drawn);
   if (start) add_mass_boxes(geometry->bodies, space.seen(*start), drawn);
   if (supports) add_supports(geometry->bodies, parts_->supports->seen_with(pose.up), space, seen, look.theme);
-  for (const Ground& ground : drawn_grounds(model, look, pose.up)) {
+  for (const Ground& ground : drawn_grounds(model, look, pose.up, state.time)) {
     const GroundPatch patch = ground_patch(ground, space, lines_a_period * grid_spacing(pose));
     // From below there is no ground in the way of the scene.
     if (patch.height > 0.0F) geometry->grounds.push_back(patch);

@@ -12,24 +12,24 @@ struct Planes {
   std::vector<Ground> seen;
 };
 
-Planes planes_of(const Model& model, const Look& look) {
+Planes planes_of(const Model& model, const Look& look, double time) {
   Planes planes;
   std::size_t number = 0;
   for (const Collider& collider : model.colliders) {
-    const auto* plane = std::get_if<HalfSpace>(&collider.shape);
-    if (plane == nullptr) continue;
+    if (!std::holds_alternative<HalfSpace>(collider.shape)) continue;
     planes.any = true;
     const ObjectLook& own = look_of(look.objects.planes, number++);
-    if (own.visible) planes.seen.push_back({plane->point, plane->normal, true, own.colour});
+    const auto plane = std::get<HalfSpace>(shape_at(collider, time));
+    if (own.visible) planes.seen.push_back({plane.point, plane.normal, true, own.colour});
   }
   return planes;
 }
 
 }  // namespace
 
-std::vector<Ground> drawn_grounds(const Model& model, const Look& look, const Vec3& up) {
+std::vector<Ground> drawn_grounds(const Model& model, const Look& look, const Vec3& up, double time) {
   if (!look.ground) return {};
-  const Planes planes = planes_of(model, look);
+  const Planes planes = planes_of(model, look, time);
   if (!planes.any) return {Ground{look.ground_height.value_or(0.0) * up, up, false}};
   std::vector<Ground> grounds = planes.seen;
   constexpr double level = 1e-9;
