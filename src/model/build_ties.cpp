@@ -18,6 +18,7 @@ class TieMaker {
   void add(const TieSpec& spec, std::size_t index) {
     constexpr double most_pairs = 5e8;  // so that nobody waits for long
     index_ = index;
+    if (spec.every < 1) return;  // that is said already
     const std::vector<Index> tied = masses_of("a", spec.a), others = masses_of("b", spec.b);
     if (tied.empty() || others.empty()) return;
     const std::size_t steps = tied.size() - 1;
