@@ -37,6 +37,7 @@ Method verlet_method() {
   can.limits = true;
   can.joints = true;
   can.colliders = true;
+  can.faces = true;
   can.break_stretch = true;
   can.break_tension = true;
   return {"verlet",

@@ -41,12 +41,12 @@ std::unique_ptr<Stepper> make_xpbd(const Model& model, const Settings& settings,
 }
 
 std::string xpbd_refusal(const Model& model, const State&, const Settings& settings) {
-  const bool more =
-      !model.limits.empty() || !touches_only_ground(model) || !model.joints.empty() || model.wind;
+  const bool more = !model.limits.empty() || !touches_only_ground(model) || !model.faces.empty() ||
+                    !model.joints.empty() || model.wind;
   if (settings.choice("precision") != "single" || !more) return {};
   return "method xpbd in single precision knows no limits on angles, no joints that resist, no solids but "
          "the "
-         "ground, no touching bodies and no wind: use precision = \"double\" for this scene";
+         "ground, no touching bodies, no faces and no wind: use precision = \"double\" for this scene";
 }
 
 }  // namespace
@@ -59,6 +59,7 @@ Method xpbd_method() {
   can.limits = true;
   can.joints = true;
   can.colliders = true;
+  can.faces = true;
   can.break_stretch = true;
   can.break_tension = true;
   return {"xpbd",

@@ -87,7 +87,8 @@ void add_masses(Builder& builder, const SheetSpec& spec) {
       const Index mass =
           builder.add_mass(spec.name + "." + std::to_string(row) + "." + std::to_string(column),
                            row_start + offsets[static_cast<std::size_t>(column)], Vec3::Zero(), share,
-                           hook || pinned_by_edge(spec, edges, row, column), spec.radius);
+                           hook || pinned_by_edge(spec, edges, row, column),
+                           spec.faces ? 0.5 * spec.faces->thickness : spec.radius);
       if (hook && !spec.hooks.draw.empty()) builder.drive(mass, hook_path(spec, column));
     }
   }
@@ -195,6 +196,9 @@ void add_sheet(Builder& builder, const SheetSpec& spec) {
     }
   sheet.triangle_count = static_cast<Index>(builder.model.triangles.size()) - sheet.first_triangle;
   builder.model.sheets.push_back(std::move(sheet));
+  if (spec.faces)
+    builder.model.faces.push_back({static_cast<Index>(builder.model.sheets.size() - 1), spec.faces->thickness,
+                                   spec.faces->friction, spec.faces->self_collides, builder.body()});
 }
 
 }  // namespace taut

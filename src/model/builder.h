@@ -33,6 +33,8 @@ class Builder {
   /// Drives a pinned mass, which is put where the motion begins; a spec that names no motion does nothing.
   void drive(Index mass, const MotionSpec& motion);
   void drive(Index mass, Motion motion);
+  /// The body that is being added; no_body where it touches none.
+  Index body() const { return body_; }
   /// Whether anything touches other bodies.
   bool any_body() const { return bodies_ > 0; }
 

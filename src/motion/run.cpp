@@ -47,6 +47,8 @@ std::string_view reason(StepStatus status) {
       return "a position or velocity is no longer a finite number";
     case StepStatus::energy_jump:
       return "it made energy out of nothing";
+    case StepStatus::pressed_through:
+      return "pins or solids press its faces through each other";
     case StepStatus::chattering:
       return "its stops are met and left again without end";
   }

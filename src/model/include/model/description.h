@@ -83,6 +83,13 @@ struct HookSpec {
       draw;  ///< (s, share of the rail's length the hooks span), from the rail's start; empty: at rest
 };
 
+/// How a sheet's faces touch, beside its masses.
+struct FacesSpec {
+  double thickness = 0.0;     ///< m: faces keep this far from one another, half of it from solids
+  double friction = 0.5;      ///< Coulomb's coefficient, on other faces
+  bool self_collides = true;  ///< whether they touch one another
+};
+
 /// A rectangular net of rows × columns equal masses, named <name>.<row>.<column>, row 0 on top.
 struct SheetSpec {
   std::string name;
@@ -96,11 +103,12 @@ struct SheetSpec {
   HookSpec hooks;
   std::vector<std::string>
       pinned;  ///< "top", "bottom", "left", "right", "top-left", "top-right", "bottom-left", "bottom-right"
-  LinkProperties properties;  ///< of the links along rows and columns
-  ExtraLinks diagonals;       ///< both diagonals of every cell
-  ExtraLinks skip_one;        ///< from every mass to the next but one along rows and columns
-  double radius = 0.0;        ///< m, of every mass, for contact
-  bool collides = false;      ///< whether it touches other bodies that do so
+  LinkProperties properties;       ///< of the links along rows and columns
+  ExtraLinks diagonals;            ///< both diagonals of every cell
+  ExtraLinks skip_one;             ///< from every mass to the next but one along rows and columns
+  double radius = 0.0;             ///< m, of every mass, for contact
+  bool collides = false;           ///< whether it touches other bodies that do so
+  std::optional<FacesSpec> faces;  ///< absent: only its masses touch, as balls
 };
 
 struct LoadSpec {

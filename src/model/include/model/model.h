@@ -9,6 +9,7 @@
 
 #include "base/vectors.h"
 #include "model/colliders.h"
+#include "model/faces.h"
 #include "model/joints.h"
 #include "model/limits.h"
 #include "model/motion.h"
@@ -119,6 +120,7 @@ struct Model {
   std::optional<Wind> wind;
   std::vector<Triangle> triangles;
   std::vector<Sheet> sheets;
+  std::vector<SheetFaces> faces;  ///< of sheets whose faces touch; those of the others are only drawn
   std::vector<Chain> chains;
   std::vector<Ragdoll> ragdolls;
   std::vector<Bone> bones;

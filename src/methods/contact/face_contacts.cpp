@@ -1,0 +1,308 @@
+// Faces that touch. What is kept, step after step, is that no two of them pass through each other: when a
+// step begins nothing does, and it ends only where nothing has met on the straight ways of all nodes from its
+// start. (Frames between two steps lie on those ways.) Each pair of a point and a triangle, or of two edges,
+// that is near is seen to in three ways, each for what the one before it leaves:
+//
+// 1. Passes. A pair is to be its thickness t apart. With the weights wₖ of the two places that are nearest to
+//    each other and the direction n from one to the other,
+//      C = Σ wₖ xₖ·n − g ≥ 0,   xₖ ← xₖ + (vₖ wₖ/Σ vⱼ wⱼ²) (−C n + f),     vₖ the inverse masses,
+//    as a link that only pushes; f is Coulomb's friction on the way that the places have slid on each other
+//    since the start of the step (contact/friction.h). n and wₖ are those where the nodes are going, or,
+//    where the two could pass each other on the way there, those at the moment before they meet: so n always
+//    points to the side that the pair was on. The gap g is t; a pair that began the step nearer than that is
+//    let out by a quarter of what is missing, for to push all of it at once would give it that much speed.
+// 2. Impulses. After the passes every pair that would still meet on its straight way gets the impulse of a
+//    plastic impact there, as in 1 with g the distance that it had along n, or t. That is done over and over,
+//    for one push may lead to another (Bridson, Fedkiw and Anderson, Robust Treatment of Collisions, Contact
+//    and Friction for Cloth Animation, 2002, section 7.3).
+// 3. Clusters. What still meets then moves on together, with the momentum that it has: all its nodes go the
+//    same way, on which nothing can meet (rigid impact zones, the same, 7.5; Provot, 1997; without rotation).
+//    What holds a pin goes the pin's way, and what touches a solid stays with it. Clusters that meet become
+//    one, so this ends.
+//
+// Each push changes no momentum, for Σ wₖ = 0.
+
+#include "contact/face_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "contact/friction.h"
+
+namespace taut {
+namespace {
+
+constexpr double let_out = 0.25;      // of what is missing of a gap, in a step
+constexpr double never_nearer = 0.1;  // thicknesses, that pairs never come nearer than where they can help it
+constexpr int most_rounds = 16;       // of impulses
+
+bool finite(const std::vector<Vec3>& places) {
+  return std::ranges::all_of(places, [](const Vec3& place) { return place.allFinite(); });
+}
+
+double friction_of(const FaceMesh& mesh, const FacePair& pair) {
+  const FaceMesh::Group &a = mesh.groups[mesh.group[pair.nodes[0]]],
+                        &b = mesh.groups[mesh.group[pair.nodes[3]]];
+  if (a.faces == nullptr) return a.friction;
+  if (b.faces == nullptr) return b.friction;
+  return std::sqrt(a.friction * b.friction);
+}
+
+// Whether contact of a pair is seen to elsewhere: that of corners with solids by ContactSolver, that of an
+// edge's end by the pair of it and a triangle.
+bool left_to_others(const FaceMesh& mesh, const FacePair& pair, const FaceGap& gap) {
+  if (pair.edges) return std::ranges::any_of(gap.weights, [](double weight) { return weight == 0.0; });
+  if (mesh.of_solid(pair.nodes[1])) return true;
+  return mesh.of_solid(pair.nodes[0]) && std::any_of(gap.weights.begin() + 1, gap.weights.end(),
+                                                     [](double weight) { return weight == -1.0; });
+}
+
+Vec3 weighed(const FacePair& pair, const std::array<double, 4>& weights, const std::vector<Vec3>& places) {
+  return (weights[0] * places[pair.nodes[0]] + weights[1] * places[pair.nodes[1]]) +
+         (weights[2] * places[pair.nodes[2]] + weights[3] * places[pair.nodes[3]]);
+}
+
+}  // namespace
+
+FaceContacts::FaceContacts(const Model& model) : model_(model), none_(model.faces.empty()), search_(model) {
+  if (none_) return;
+  for (const Collider& collider : model.colliders)
+    if (const auto* half_space = std::get_if<HalfSpace>(&collider.shape)) grounds_.push_back(*half_space);
+}
+
+void FaceContacts::links_changed(const State& state) {
+  if (!none_) search_.links_changed(state);
+}
+
+void FaceContacts::find_pairs(bool from_new_start) {
+  if (!search_.cover(start_, end_) && !from_new_start) return;
+  const std::vector<FacePair>& pairs = search_.pairs();
+  distance_at_start_.resize(pairs.size());
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    distance_at_start_[i] = nearest_gap(pairs[i], start_).distance;
+}
+
+// Nearer than which a pair never comes: a small part of its thickness, or half the gap that there is.
+double FaceContacts::stop(std::size_t pair) const {
+  const FacePair& which = search_.pairs()[pair];
+  const double clear = kept_clear(search_.mesh(), which);
+  return clear + std::min(never_nearer * (kept_apart(search_.mesh(), which) - clear),
+                          0.5 * (distance_at_start_[pair] - clear));
+}
+
+FaceContacts::Contact FaceContacts::contact_at(const FacePair& pair, const FaceGap& gap) const {
+  Contact contact;
+  contact.pair = pair;
+  contact.weights = gap.weights;
+  contact.normal = gap.apart / gap.distance;
+  contact.at_start = weighed(pair, gap.weights, start_);
+  contact.friction = friction_of(search_.mesh(), pair);
+  return contact;
+}
+
+void FaceContacts::prepare(std::size_t pair) {
+  const FacePair& which = search_.pairs()[pair];
+  const double apart = kept_apart(search_.mesh(), which), clear = kept_clear(search_.mesh(), which);
+  const double thickness = apart - clear, watched = watched_apart(search_.mesh(), which);
+  const double distance = distance_at_start_[pair], approach = most_approach(which, start_, end_);
+  if (distance - approach > watched || !(distance > clear)) return;
+  FaceMeeting met;
+  if (approach > distance - clear)
+    met = first_meeting(which, start_, end_, distance, clear + std::min(thickness, 0.5 * (distance - clear)));
+  const FaceGap gap = met.met ? met.gap : nearest_gap(which, end_);
+  if (gap.distance > watched || !(gap.distance > 0.0) || left_to_others(search_.mesh(), which, gap)) return;
+  Contact contact = contact_at(which, gap);
+  contact.gap = distance + (distance < apart ? let_out * (apart - distance) : apart - distance);
+  contacts_.push_back(contact);
+}
+
+void FaceContacts::begin_step(const Vectors& start, const Vectors& predicted) {
+  if (none_) return;
+  touched_ = false;
+  contacts_.clear();
+  search_.mesh().places(start, start_);
+  search_.mesh().places(predicted, end_);
+  finite_ = finite(start_) && finite(end_);
+  if (!finite_) return;  // the step will be refused
+  find_pairs(true);
+  for (std::size_t pair = 0; pair < search_.pairs().size(); ++pair) prepare(pair);
+}
+
+bool FaceContacts::push(const Contact& contact, std::vector<Vec3>& places) const {
+  const std::vector<double>& inverse_mass = search_.mesh().inverse_mass;
+  const Vec3 apart = weighed(contact.pair, contact.weights, places);
+  const double depth = contact.gap - apart.dot(contact.normal);
+  if (!(depth > 0.0)) return false;
+  double sum = 0.0;
+  for (std::size_t k = 0; k < 4; ++k)
+    sum += inverse_mass[contact.pair.nodes[k]] * contact.weights[k] * contact.weights[k];
+  if (!(sum > 0.0)) return false;
+  const Vec3 change = depth * contact.normal +
+                      coulomb_friction(contact.friction, depth, contact.normal, apart - contact.at_start);
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::uint32_t node = contact.pair.nodes[k];
+    places[node] += (inverse_mass[node] * contact.weights[k] / sum) * change;
+  }
+  return true;
+}
+
+void FaceContacts::put(Vectors& position) const {
+  const FaceMesh& mesh = search_.mesh();
+  for (std::size_t node = 0; node < mesh.mass.size(); ++node)
+    if (mesh.inverse_mass[node] > 0.0) position.set(mesh.mass[node], end_[node]);
+}
+
+void FaceContacts::solve(Vectors& position) {
+  if (contacts_.empty()) return;
+  search_.mesh().places(position, end_);
+  bool pushed = false;
+  for (const Contact& contact : contacts_) pushed = push(contact, end_) || pushed;
+  if (!pushed) return;
+  touched_ = true;
+  put(position);
+}
+
+FaceMeeting FaceContacts::meeting(std::size_t pair) const {
+  return first_meeting(search_.pairs()[pair], start_, end_, distance_at_start_[pair], stop(pair));
+}
+
+bool FaceContacts::push_apart_what_meets() {
+  bool any = false;
+  for (std::size_t pair = 0; pair < search_.pairs().size(); ++pair) {
+    const FaceMeeting met = meeting(pair);
+    if (!met.met) continue;
+    any = true;
+    const FacePair& which = search_.pairs()[pair];
+    Contact contact = contact_at(which, met.gap);
+    const double clear = kept_clear(search_.mesh(), which);
+    contact.gap = std::max(std::min(kept_apart(search_.mesh(), which), contact.at_start.dot(contact.normal)),
+                           clear + 2.0 * (stop(pair) - clear));
+    push(contact, end_);
+  }
+  return any;
+}
+
+// Straight ways that begin above the ground and end there never leave it.
+bool FaceContacts::under(const HalfSpace& ground, std::uint32_t node) const {
+  const double start = (start_[node] - ground.point).dot(ground.normal);
+  return search_.mesh().inverse_mass[node] > 0.0 && start > 0.0 &&
+         (end_[node] - ground.point).dot(ground.normal) <
+             std::min(never_nearer * search_.mesh().radius[node], 0.5 * start);
+}
+
+bool FaceContacts::lift_from_ground() {
+  bool any = false;
+  for (const HalfSpace& ground : grounds_)
+    for (const std::uint32_t node : search_.whole().points) {
+      if (!under(ground, node)) continue;
+      any = true;
+      const double start = (start_[node] - ground.point).dot(ground.normal);
+      const double now = (end_[node] - ground.point).dot(ground.normal);
+      end_[node] += (std::min(search_.mesh().radius[node], start) - now) * ground.normal;
+    }
+  return any;
+}
+
+// Nodes that move on together. The ground is one more, which stays.
+class FaceContacts::Clusters {
+ public:
+  Clusters(const FaceMesh& mesh, const Model& model) : mesh_(mesh), model_(model), leader_(mesh.size() + 1) {
+    std::iota(leader_.begin(), leader_.end(), 0U);
+  }
+
+  std::uint32_t ground() const { return mesh_.size(); }
+
+  // Whether they were apart. The lowest number leads.
+  bool unite(std::uint32_t a, std::uint32_t b) {
+    a = leader(a);
+    b = leader(b);
+    leader_[std::max(a, b)] = std::min(a, b);
+    return a != b;
+  }
+
+  void move(const std::vector<Vec3>& start, std::vector<Vec3>& end) {
+    std::vector<Way> ways(leader_.size());
+    for (std::uint32_t node = 0; node < leader_.size(); ++node) {
+      Way& way = ways[leader(node)];
+      ++way.count;
+      const bool held = node == ground() || mesh_.inverse_mass[node] == 0.0;
+      const Vec3 moved = node == ground() ? Vec3(Vec3::Zero()) : Vec3(end[node] - start[node]);
+      if (held && !way.held) {
+        way.held = true;
+        way.of_held = moved;
+      } else if (!held) {
+        const double mass = model_.masses.mass[mesh_.mass[node]];
+        way.mass += mass;
+        way.momentum += mass * moved;
+      }
+    }
+    for (std::uint32_t node = 0; node < mesh_.mass.size(); ++node) {
+      const Way& way = ways[leader(node)];
+      if (way.count < 2 || mesh_.inverse_mass[node] == 0.0) continue;
+      end[node] = start[node] + (way.held ? way.of_held : Vec3(way.momentum / way.mass));
+    }
+  }
+
+ private:
+  struct Way {
+    std::uint32_t count = 0;
+    bool held = false;
+    Vec3 of_held = Vec3::Zero(), momentum = Vec3::Zero();  // m; kg m
+    double mass = 0.0;                                     // kg
+  };
+
+  std::uint32_t leader(std::uint32_t node) {
+    while (leader_[node] != node) node = leader_[node] = leader_[leader_[node]];
+    return node;
+  }
+
+  const FaceMesh& mesh_;
+  const Model& model_;
+  std::vector<std::uint32_t> leader_;
+};
+
+bool FaceContacts::hold_together() {
+  Clusters clusters(search_.mesh(), model_);
+  for (;;) {
+    bool met = false, grown = false;
+    for (std::size_t pair = 0; pair < search_.pairs().size(); ++pair) {
+      if (!meeting(pair).met) continue;
+      met = true;
+      const auto& nodes = search_.pairs()[pair].nodes;
+      for (std::size_t k = 1; k < 4; ++k) grown = clusters.unite(nodes[0], nodes[k]) || grown;
+    }
+    for (const HalfSpace& ground : grounds_)
+      for (const std::uint32_t node : search_.whole().points) {
+        if (!under(ground, node)) continue;
+        met = true;
+        grown = clusters.unite(node, clusters.ground()) || grown;
+      }
+    if (!met) return true;
+    if (!grown) return false;
+    clusters.move(start_, end_);
+    find_pairs(false);
+  }
+}
+
+bool FaceContacts::finish(Vectors& position) {
+  if (none_ || !finite_) return true;
+  search_.mesh().places(position, end_);
+  if (!finite(end_)) return true;
+  bool pushed = false;
+  for (int round = 0; round < most_rounds; ++round) {
+    find_pairs(false);
+    const bool met = push_apart_what_meets(), low = lift_from_ground();
+    if (!met && !low) {
+      if (pushed) put(position);
+      return true;
+    }
+    pushed = touched_ = true;
+  }
+  find_pairs(false);
+  if (!hold_together()) return false;
+  put(position);
+  return true;
+}
+
+}  // namespace taut

@@ -1,0 +1,39 @@
+#include "contact/face_search.h"
+
+#include <limits>
+
+namespace taut {
+
+FaceSearch::FaceSearch(const Model& model) : model_(model), mesh_(model) {}
+
+void FaceSearch::links_changed(const State& state) {
+  whole_ = whole_faces(mesh_, model_, state.broken_at);
+  middles_.clear();
+}
+
+bool FaceSearch::covers(const std::vector<Vec3>& start, const std::vector<Vec3>& end) const {
+  if (middles_.size() != start.size()) return false;
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    const double square = rooms_[i] * rooms_[i];
+    if ((start[i] - middles_[i]).squaredNorm() > square || (end[i] - middles_[i]).squaredNorm() > square)
+      return false;
+  }
+  return true;
+}
+
+bool FaceSearch::cover(const std::vector<Vec3>& start, const std::vector<Vec3>& end) {
+  constexpr double slack = 1.0;  // of half a thickness: more makes searches rarer, and pairs more
+  constexpr double round_up = 1.0 + 1e-12;
+  if (covers(start, end)) return false;
+  middles_.resize(start.size());
+  rooms_.resize(start.size());
+  for (std::uint32_t i = 0; i < start.size(); ++i) {
+    middles_[i] = 0.5 * (start[i] + end[i]);
+    const double way = (end[i] - start[i]).norm();
+    rooms_[i] = round_up * (0.5 * way + (mesh_.of_solid(i) ? 0.0 : slack * mesh_.radius[i]));
+  }
+  finder_.find(mesh_, whole_, middles_, rooms_, std::numeric_limits<std::size_t>::max(), pairs_);
+  return true;
+}
+
+}  // namespace taut

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include "model/face_pairs.h"
+#include "model/state.h"
+
+namespace taut {
+
+/// The pairs of a model's faces and solids that may meet in a step, looked for anew only when nodes have left
+/// the room they were given at the last search. When that was changes nothing but the time it takes: the
+/// pairs come in an order of their own, and what is too far away to matter in a step is passed over by its
+/// user.
+class FaceSearch {
+ public:
+  explicit FaceSearch(const Model& model);
+
+  const FaceMesh& mesh() const { return mesh_; }
+  const WholeFaces& whole() const { return whole_; }
+
+  /// To be called before the first step and whenever other links are whole than before.
+  void links_changed(const State& state);
+
+  /// Makes the pairs good for nodes that move straight from start to end; whether they were looked for anew.
+  bool cover(const std::vector<Vec3>& start, const std::vector<Vec3>& end);
+
+  const std::vector<FacePair>& pairs() const { return pairs_; }
+
+ private:
+  bool covers(const std::vector<Vec3>& start, const std::vector<Vec3>& end) const;
+
+  const Model& model_;
+  FaceMesh mesh_;
+  WholeFaces whole_;
+  FacePairs finder_;
+  std::vector<FacePair> pairs_;
+  std::vector<Vec3> middles_;  // m, of each node's room at the last search; none: pairs are not known
+  std::vector<double> rooms_;  // m, their radii
+};
+
+}  // namespace taut

@@ -1,0 +1,201 @@
+#include "model/face_pairs.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "model/box_grid.h"
+
+namespace taut {
+namespace {
+
+// What of a segment from a to b is nearest to a point: 0 at a, 1 at b.
+double nearest_share(const Vec3& point, const Vec3& a, const Vec3& b) {
+  const Vec3 span = b - a;
+  const double square = span.squaredNorm();
+  return square > 0.0 ? std::clamp((point - a).dot(span) / square, 0.0, 1.0) : 0.0;
+}
+
+// Keeps the nearer one of two gaps.
+void take_nearer(FaceGap& nearest, const std::array<double, 4>& weights, const Vec3& apart) {
+  const double distance = apart.norm();
+  if (!(distance < nearest.distance)) return;
+  nearest = {weights, apart, distance};
+}
+
+// The foot of the perpendicular on the triangle's plane where it is inside, else the nearest place of an
+// edge.
+FaceGap point_and_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  FaceGap nearest;
+  nearest.distance = std::numeric_limits<double>::infinity();
+  const Vec3 ab = b - a, ac = c - a, ap = p - a;
+  const Vec3 normal = ab.cross(ac);
+  const double square = normal.squaredNorm();
+  if (square > 0.0) {
+    const double v = ap.cross(ac).dot(normal) / square, w = ab.cross(ap).dot(normal) / square;
+    const double u = 1.0 - v - w;
+    if (u > 0.0 && v > 0.0 && w > 0.0) {
+      take_nearer(nearest, {1.0, -u, -v, -w}, p - (u * a + v * b + w * c));
+      return nearest;
+    }
+  }
+  const double on_ab = nearest_share(p, a, b), on_bc = nearest_share(p, b, c), on_ca = nearest_share(p, c, a);
+  take_nearer(nearest, {1.0, on_ab - 1.0, -on_ab, 0.0}, p - (a + on_ab * ab));
+  take_nearer(nearest, {1.0, 0.0, on_bc - 1.0, -on_bc}, p - (b + on_bc * (c - b)));
+  take_nearer(nearest, {1.0, -on_ca, 0.0, on_ca - 1.0}, p - (c + on_ca * (a - c)));
+  return nearest;
+}
+
+// Between the insides of both where the common perpendicular meets both, else at an end of one. The ends are
+// also looked at where edges are so nearly parallel that the perpendicular is lost in rounding.
+FaceGap edge_and_edge(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  FaceGap nearest;
+  nearest.distance = std::numeric_limits<double>::infinity();
+  const Vec3 u = b - a, v = d - c, w = a - c;
+  const double uu = u.squaredNorm(), uv = u.dot(v), vv = v.squaredNorm(), uw = u.dot(w), vw = v.dot(w);
+  const double determinant = uu * vv - uv * uv;
+  if (determinant > 0.0) {
+    const double s = (uv * vw - vv * uw) / determinant, t = (uu * vw - uv * uw) / determinant;
+    if (s > 0.0 && s < 1.0 && t > 0.0 && t < 1.0) {
+      take_nearer(nearest, {1.0 - s, s, t - 1.0, -t}, a + s * u - (c + t * v));
+      if (determinant > 1e-8 * uu * vv) return nearest;
+    }
+  }
+  const double a_on = nearest_share(a, c, d), b_on = nearest_share(b, c, d);
+  const double c_on = nearest_share(c, a, b), d_on = nearest_share(d, a, b);
+  take_nearer(nearest, {1.0, 0.0, a_on - 1.0, -a_on}, a - (c + a_on * v));
+  take_nearer(nearest, {0.0, 1.0, b_on - 1.0, -b_on}, b - (c + b_on * v));
+  take_nearer(nearest, {1.0 - c_on, c_on, -1.0, 0.0}, a + c_on * u - c);
+  take_nearer(nearest, {1.0 - d_on, d_on, 0.0, -1.0}, a + d_on * u - d);
+  return nearest;
+}
+
+// The balls of some nodes, and what is kept free around them.
+template <std::size_t count>
+Bounds bounds_of(const std::array<std::uint32_t, count>& nodes, const FaceMesh& mesh,
+                 const std::vector<Vec3>& places, const std::vector<double>& rooms) {
+  const auto reach = [&](std::uint32_t node) {
+    return rooms[node] + mesh.radius[node] + 0.5 * (mesh.radius[node] - mesh.core[node]);
+  };
+  Bounds bounds = Bounds::around(places[nodes[0]], reach(nodes[0]));
+  for (std::size_t k = 1; k < count; ++k) bounds.take_in(places[nodes[k]], reach(nodes[k]));
+  return bounds;
+}
+
+// Collects pairs of numbers as keys that sort by the first and then the second.
+class PairKeys {
+ public:
+  PairKeys(std::vector<std::uint64_t>& keys, std::size_t most) : keys_(keys), most_(most) { keys_.clear(); }
+  void add(std::uint32_t a, std::uint32_t b) { keys_.push_back((std::uint64_t{a} << 32U) | b); }
+  bool full() const { return keys_.size() > most_; }
+  void sort() { std::ranges::sort(keys_); }
+
+ private:
+  std::vector<std::uint64_t>& keys_;
+  std::size_t most_;
+};
+
+std::uint32_t first_of(std::uint64_t key) {
+  return static_cast<std::uint32_t>(key >> 32U);
+}
+std::uint32_t second_of(std::uint64_t key) {
+  return static_cast<std::uint32_t>(key);
+}
+
+// One search: the same arguments all the way down.
+class PairSearch {
+ public:
+  PairSearch(const FaceMesh& mesh, const WholeFaces& whole, const std::vector<Vec3>& places,
+             const std::vector<double>& rooms)
+      : mesh_(mesh), whole_(whole), places_(places), rooms_(rooms) {}
+
+  // Points in the grid of triangles.
+  void points_with_triangles(PairKeys& keys) {
+    bounds_.clear();
+    for (const std::uint32_t triangle : whole_.triangles)
+      bounds_.push_back(bounds_of(mesh_.triangles[triangle], mesh_, places_, rooms_));
+    grid_.fill(bounds_);
+    for (const std::uint32_t point : whole_.points) {
+      if (keys.full()) break;
+      const Bounds query = bounds_of(std::array{point}, mesh_, places_, rooms_);
+      grid_.visit(query, std::numeric_limits<int>::min(), [&](std::uint32_t at) {
+        const std::uint32_t triangle = whole_.triangles[at];
+        const auto& nodes = mesh_.triangles[triangle];
+        if (std::ranges::find(nodes, point) == nodes.end() &&
+            may_touch({{point, nodes[0], nodes[1], nodes[2]}, false}))
+          keys.add(point, triangle);
+      });
+    }
+    keys.sort();
+  }
+
+  // Edges in a grid of the same, where each looks for later ones in cells as large as its own and for all in
+  // larger ones.
+  void edges_with_edges(PairKeys& keys) {
+    bounds_.clear();
+    for (const std::uint32_t edge : whole_.edges)
+      bounds_.push_back(bounds_of(mesh_.edges[edge].nodes, mesh_, places_, rooms_));
+    grid_.fill(bounds_);
+    for (std::uint32_t i = 0; i < whole_.edges.size() && !keys.full(); ++i) {
+      const auto [a, b] = mesh_.edges[whole_.edges[i]].nodes;
+      grid_.visit(bounds_[i], grid_.level(i), [&](std::uint32_t j) {
+        if (j == i || (j < i && grid_.level(j) == grid_.level(i))) return;
+        const auto [c, d] = mesh_.edges[whole_.edges[j]].nodes;
+        if (a == c || a == d || b == c || b == d || !may_touch({{a, b, c, d}, true})) return;
+        keys.add(whole_.edges[std::min(i, j)], whole_.edges[std::max(i, j)]);
+      });
+    }
+    keys.sort();
+  }
+
+ private:
+  bool may_touch(const FacePair& pair) const {
+    const auto [a, b, c, d] = pair.nodes;
+    if (!mesh_.meet(mesh_.group[a], mesh_.group[d])) return false;
+    const bool held = mesh_.inverse_mass[a] == 0.0 && mesh_.inverse_mass[b] == 0.0 &&
+                      mesh_.inverse_mass[c] == 0.0 && mesh_.inverse_mass[d] == 0.0;
+    if (held) return false;
+    const double room = pair.edges ? std::max(rooms_[a], rooms_[b]) + std::max(rooms_[c], rooms_[d])
+                                   : rooms_[a] + std::max({rooms_[b], rooms_[c], rooms_[d]});
+    return nearest_gap(pair, places_).distance <= watched_apart(mesh_, pair) + room;
+  }
+
+  const FaceMesh& mesh_;
+  const WholeFaces& whole_;
+  const std::vector<Vec3>& places_;
+  const std::vector<double>& rooms_;
+  BoxGrid grid_;
+  std::vector<Bounds> bounds_;
+};
+
+}  // namespace
+
+FaceGap nearest_gap(bool edges, const std::array<Vec3, 4>& corners) {
+  const auto& [a, b, c, d] = corners;
+  return edges ? edge_and_edge(a, b, c, d) : point_and_triangle(a, b, c, d);
+}
+
+FaceGap nearest_gap(const FacePair& pair, const std::vector<Vec3>& places) {
+  const auto [a, b, c, d] = pair.nodes;
+  return nearest_gap(pair.edges, {places[a], places[b], places[c], places[d]});
+}
+
+void FacePairs::find(const FaceMesh& mesh, const WholeFaces& whole, const std::vector<Vec3>& places,
+                     const std::vector<double>& rooms, std::size_t most, std::vector<FacePair>& pairs) {
+  pairs.clear();
+  PairSearch search(mesh, whole, places, rooms);
+  PairKeys keys(keys_, most);
+  search.points_with_triangles(keys);
+  for (const std::uint64_t key : keys_) {
+    const auto& nodes = mesh.triangles[second_of(key)];
+    pairs.push_back({{first_of(key), nodes[0], nodes[1], nodes[2]}, false});
+  }
+  PairKeys edge_keys(keys_, most);
+  search.edges_with_edges(edge_keys);
+  for (const std::uint64_t key : keys_) {
+    const auto& a = mesh.edges[first_of(key)].nodes;
+    const auto& b = mesh.edges[second_of(key)].nodes;
+    pairs.push_back({{a[0], a[1], b[0], b[1]}, true});
+  }
+}
+
+}  // namespace taut
