@@ -1,12 +1,11 @@
 #include "model/face_mesh.h"
 
 #include <algorithm>
-#include <unordered_map>
+#include <numeric>
+#include <utility>
 
 namespace taut {
 namespace {
-
-constexpr std::uint32_t no_node = 0xffffffffU;
 
 std::uint32_t add_solid_node(FaceMesh& mesh, const Vec3& place, double radius, std::uint32_t group) {
   mesh.solid_place.push_back(place);
@@ -54,53 +53,82 @@ void add_solid(FaceMesh& mesh, const Box& box, std::uint32_t group) {
   }
 }
 
-// Adds a sheet's nodes; a mass is one node however many triangles it is a corner of.
-void add_sheet_nodes(FaceMesh& mesh, const Model& model, const SheetFaces& faces, std::uint32_t group) {
+// A number's bits with a free one before each.
+std::uint64_t spread_bits(std::uint32_t number) {
+  std::uint64_t bits = number;
+  for (const unsigned shift : {16U, 8U, 4U, 2U, 1U}) {
+    const std::uint64_t mask = ~std::uint64_t{0} / ((std::uint64_t{1} << shift) + 1);
+    bits = (bits | bits << shift) & mask;
+  }
+  return bits;
+}
+
+// The masses of a sheet along a curve that fills it, Z by Z: what is near on the curve is near in the sheet.
+std::vector<Index> along_curve(const Sheet& sheet) {
+  std::vector<Index> order(std::size_t{sheet.rows} * sheet.columns);
+  std::iota(order.begin(), order.end(), Index{0});
+  const auto place = [&](Index i) {
+    return spread_bits(i / sheet.columns) << 1U | spread_bits(i % sheet.columns);
+  };
+  std::ranges::sort(order, {}, place);
+  return order;
+}
+
+// Adds a sheet's nodes; a mass is one node however many triangles it is a corner of. Gives the node of each
+// of its masses.
+std::vector<std::uint32_t> add_sheet_nodes(FaceMesh& mesh, const Model& model, const SheetFaces& faces,
+                                           std::uint32_t group) {
   const Sheet& sheet = model.sheets[faces.sheet];
-  for (Index i = 0; i < sheet.rows * sheet.columns; ++i) {
+  std::vector<std::uint32_t> node_of(std::size_t{sheet.rows} * sheet.columns);
+  for (const Index i : along_curve(sheet)) {
+    node_of[i] = mesh.size();
     mesh.mass.push_back(sheet.first_mass + i);
     mesh.inverse_mass.push_back(model.masses.inverse_mass[sheet.first_mass + i]);
     mesh.radius.push_back(0.5 * faces.thickness);
     mesh.core.push_back(0.0);
     mesh.group.push_back(group);
   }
+  return node_of;
 }
 
-void add_sheet_triangles(FaceMesh& mesh, const Model& model, const SheetFaces& faces,
-                         std::uint32_t first_node) {
-  const Sheet& sheet = model.sheets[faces.sheet];
-  std::unordered_map<std::uint64_t, std::size_t> known;  // edges by their nodes
-  known.reserve(2 * static_cast<std::size_t>(sheet.triangle_count));
-  for (Index i = 0; i < sheet.triangle_count; ++i) {
-    const auto triangle = static_cast<std::uint32_t>(mesh.triangles.size());
+// Adds a sheet's triangles and their edges, in the order of the first nodes they have.
+void add_sheet_triangles(FaceMesh& mesh, const Model& model, const Sheet& sheet,
+                         const std::vector<std::uint32_t>& node_of) {
+  std::vector<std::pair<std::array<std::uint32_t, 3>, Index>> triangles;
+  for (Index i = sheet.first_triangle; i < sheet.first_triangle + sheet.triangle_count; ++i) {
     std::array<std::uint32_t, 3> nodes{};
-    for (std::size_t k = 0; k < 3; ++k)
-      nodes[k] = model.triangles[sheet.first_triangle + i].masses[k] - sheet.first_mass + first_node;
+    for (std::size_t k = 0; k < 3; ++k) nodes[k] = node_of[model.triangles[i].masses[k] - sheet.first_mass];
+    std::ranges::rotate(nodes, std::ranges::min_element(nodes));
+    triangles.emplace_back(nodes, i);
+  }
+  std::ranges::sort(triangles);
+  std::vector<FaceMesh::Edge> edges;
+  for (const auto& [nodes, of_model] : triangles) {
+    const auto triangle = static_cast<std::uint32_t>(mesh.triangles.size());
     mesh.triangles.push_back(nodes);
-    mesh.model_triangle.push_back(sheet.first_triangle + i);
+    mesh.model_triangle.push_back(of_model);
     for (std::size_t k = 0; k < 3; ++k) {
       const auto [a, b] = std::minmax(nodes[k], nodes[(k + 1) % 3]);
-      const auto [found, is_new] = known.try_emplace((std::uint64_t{a} << 32U) | b, mesh.edges.size());
-      if (is_new)
-        mesh.edges.push_back({{a, b}, {triangle, triangle}});
-      else
-        mesh.edges[found->second].triangles[1] = triangle;
+      edges.push_back({{a, b}, {triangle, triangle}});
     }
   }
+  std::ranges::stable_sort(edges, {}, &FaceMesh::Edge::nodes);
+  for (const FaceMesh::Edge& edge : edges)
+    if (!mesh.edges.empty() && mesh.edges.back().nodes == edge.nodes)
+      mesh.edges.back().triangles[1] = edge.triangles[0];
+    else
+      mesh.edges.push_back(edge);
 }
 
 }  // namespace
 
 FaceMesh::FaceMesh(const Model& model) {
   if (model.faces.empty()) return;
-  std::vector<std::uint32_t> first_nodes;
   for (const SheetFaces& faces : model.faces) {
-    first_nodes.push_back(size());
-    add_sheet_nodes(*this, model, faces, static_cast<std::uint32_t>(groups.size()));
+    const auto nodes = add_sheet_nodes(*this, model, faces, static_cast<std::uint32_t>(groups.size()));
     groups.push_back({&faces, faces.friction});
+    add_sheet_triangles(*this, model, model.sheets[faces.sheet], nodes);
   }
-  for (std::size_t i = 0; i < model.faces.size(); ++i)
-    add_sheet_triangles(*this, model, model.faces[i], first_nodes[i]);
   for (const Collider& collider : model.colliders) {
     const auto solid = static_cast<std::uint32_t>(groups.size());
     groups.push_back({nullptr, collider.friction});

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "model/box_grid.h"
+#include "model/box_tree.h"
 
 namespace taut {
 namespace {
@@ -69,18 +69,6 @@ FaceGap edge_and_edge(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d
   return nearest;
 }
 
-// The balls of some nodes, and what is kept free around them.
-template <std::size_t count>
-Bounds bounds_of(const std::array<std::uint32_t, count>& nodes, const FaceMesh& mesh,
-                 const std::vector<Vec3>& places, const std::vector<double>& rooms) {
-  const auto reach = [&](std::uint32_t node) {
-    return rooms[node] + mesh.radius[node] + 0.5 * (mesh.radius[node] - mesh.core[node]);
-  };
-  Bounds bounds = Bounds::around(places[nodes[0]], reach(nodes[0]));
-  for (std::size_t k = 1; k < count; ++k) bounds.take_in(places[nodes[k]], reach(nodes[k]));
-  return bounds;
-}
-
 // Collects pairs of numbers as keys that sort by the first and then the second.
 class PairKeys {
  public:
@@ -108,46 +96,48 @@ class PairSearch {
              const std::vector<double>& rooms)
       : mesh_(mesh), whole_(whole), places_(places), rooms_(rooms) {}
 
-  // Points in the grid of triangles.
   void points_with_triangles(PairKeys& keys) {
     bounds_.clear();
+    for (const std::uint32_t point : whole_.points) bounds_.push_back(bounds_of(std::array{point}));
+    BoxTree points;
+    points.fill(bounds_);
+    bounds_.clear();
     for (const std::uint32_t triangle : whole_.triangles)
-      bounds_.push_back(bounds_of(mesh_.triangles[triangle], mesh_, places_, rooms_));
-    grid_.fill(bounds_);
-    for (const std::uint32_t point : whole_.points) {
-      if (keys.full()) break;
-      const Bounds query = bounds_of(std::array{point}, mesh_, places_, rooms_);
-      grid_.visit(query, std::numeric_limits<int>::min(), [&](std::uint32_t at) {
-        const std::uint32_t triangle = whole_.triangles[at];
-        const auto& nodes = mesh_.triangles[triangle];
-        if (std::ranges::find(nodes, point) == nodes.end() &&
-            may_touch({{point, nodes[0], nodes[1], nodes[2]}, false}))
-          keys.add(point, triangle);
-      });
-    }
+      bounds_.push_back(bounds_of(mesh_.triangles[triangle]));
+    tree_.fill(bounds_);
+    points.visit_pairs(tree_, [&](std::uint32_t i, std::uint32_t j) {
+      const std::uint32_t point = whole_.points[i], triangle = whole_.triangles[j];
+      const auto [a, b, c] = mesh_.triangles[triangle];
+      if (point == a || point == b || point == c || keys.full()) return;
+      if (may_touch({{point, a, b, c}, false})) keys.add(point, triangle);
+    });
     keys.sort();
   }
 
-  // Edges in a grid of the same, where each looks for later ones in cells as large as its own and for all in
-  // larger ones.
   void edges_with_edges(PairKeys& keys) {
     bounds_.clear();
-    for (const std::uint32_t edge : whole_.edges)
-      bounds_.push_back(bounds_of(mesh_.edges[edge].nodes, mesh_, places_, rooms_));
-    grid_.fill(bounds_);
-    for (std::uint32_t i = 0; i < whole_.edges.size() && !keys.full(); ++i) {
+    for (const std::uint32_t edge : whole_.edges) bounds_.push_back(bounds_of(mesh_.edges[edge].nodes));
+    tree_.fill(bounds_);
+    tree_.visit_pairs([&](std::uint32_t i, std::uint32_t j) {
       const auto [a, b] = mesh_.edges[whole_.edges[i]].nodes;
-      grid_.visit(bounds_[i], grid_.level(i), [&](std::uint32_t j) {
-        if (j == i || (j < i && grid_.level(j) == grid_.level(i))) return;
-        const auto [c, d] = mesh_.edges[whole_.edges[j]].nodes;
-        if (a == c || a == d || b == c || b == d || !may_touch({{a, b, c, d}, true})) return;
-        keys.add(whole_.edges[std::min(i, j)], whole_.edges[std::max(i, j)]);
-      });
-    }
+      const auto [c, d] = mesh_.edges[whole_.edges[j]].nodes;
+      if (a == c || a == d || b == c || b == d || keys.full()) return;
+      if (may_touch({{a, b, c, d}, true})) keys.add(whole_.edges[i], whole_.edges[j]);
+    });
     keys.sort();
   }
 
  private:
+  // Around the balls of some nodes, and what is kept free around them.
+  template <std::size_t count>
+  Bounds bounds_of(const std::array<std::uint32_t, count>& nodes) const {
+    Bounds bounds;
+    for (const std::uint32_t node : nodes)
+      bounds.take_in(places_[node], rooms_[node] + mesh_.radius[node] +
+                                        look_ahead * (mesh_.radius[node] - mesh_.core[node]));
+    return bounds;
+  }
+
   bool may_touch(const FacePair& pair) const {
     const auto [a, b, c, d] = pair.nodes;
     if (!mesh_.meet(mesh_.group[a], mesh_.group[d])) return false;
@@ -163,7 +153,7 @@ class PairSearch {
   const WholeFaces& whole_;
   const std::vector<Vec3>& places_;
   const std::vector<double>& rooms_;
-  BoxGrid grid_;
+  BoxTree tree_;
   std::vector<Bounds> bounds_;
 };
 

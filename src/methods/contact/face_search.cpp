@@ -22,7 +22,7 @@ bool FaceSearch::covers(const std::vector<Vec3>& start, const std::vector<Vec3>&
 }
 
 bool FaceSearch::cover(const std::vector<Vec3>& start, const std::vector<Vec3>& end) {
-  constexpr double slack = 1.0;  // of half a thickness: more makes searches rarer, and pairs more
+  constexpr double slack = 0.5;  // of half a thickness: more makes searches rarer, and pairs more
   constexpr double round_up = 1.0 + 1e-12;
   if (covers(start, end)) return false;
   middles_.resize(start.size());

@@ -36,9 +36,11 @@ inline double kept_clear(const FaceMesh& mesh, const FacePair& pair) {
   return mesh.core[pair.nodes[0]] + mesh.core[pair.nodes[3]];
 }
 
-/// How near (m) they have to come to be watched: links may push them nearer within a step.
+/// Of a thickness, that links may push a pair nearer within a step than it was going to be.
+inline constexpr double look_ahead = 0.25;
+/// How near (m) they have to come to be watched.
 inline double watched_apart(const FaceMesh& mesh, const FacePair& pair) {
-  return kept_apart(mesh, pair) + 0.5 * (kept_apart(mesh, pair) - kept_clear(mesh, pair));
+  return kept_apart(mesh, pair) + look_ahead * (kept_apart(mesh, pair) - kept_clear(mesh, pair));
 }
 
 /// Finds the pairs that can come into contact while no node leaves a ball around its place.
