@@ -78,6 +78,11 @@ void add_solids(Builder& builder, const Description& description);
 /// solved.
 void find_crowds(const Builder& builder, const Description& description, std::vector<Problem>& problems);
 
+/// Reports faces that start through each other or through solids, or nearer than their thickness; nothing where
+/// there are other problems.
+void find_face_problems(const Builder& builder, const Description& description,
+                        std::vector<Problem>& problems);
+
 /// The rotation by degrees about x, then y, then z.
 Eigen::Matrix3d turned(const Vec3& degrees);
 

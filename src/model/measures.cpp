@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/vector_operations.h"
+#include "model/face_depth.h"
 
 namespace taut {
 
@@ -148,7 +149,7 @@ double largest_limit_excess(const Model& model, const State& state) {
 }
 
 double deepest_penetration(const Model& model, const State& state) {
-  double deepest = 0.0;
+  double deepest = deepest_face(model, state);
   for (const ContactPoint& point : model.contacts) {
     Vec3 place = Vec3::Zero();
     for (std::size_t k = 0; k < point.masses.size(); ++k)

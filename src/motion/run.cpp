@@ -282,7 +282,9 @@ std::optional<State> Run::at(double time, const StopTest& stop) {
   if (!holds_together()) return std::nullopt;
   if (state().time == time) return state();
   if (method_.can.chooses_steps) return stepper_->between(time);
-  return interpolate(*before_, state(), time, method_.can.between_steps);
+  // Between steps faces are known not to go through each other on the straight line.
+  return interpolate(*before_, state(), time,
+                     model_.faces.empty() ? method_.can.between_steps : Interpolation::linear);
 }
 
 // A method that chooses its steps doesn't say how far the next one will go: every step but the last is kept.
