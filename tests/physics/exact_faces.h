@@ -16,6 +16,33 @@
 
 namespace taut::test {
 
+/// Doubles are whole numbers times a power of two. With the least of those powers as the unit, so that it is
+/// one for all of them: value / 2^exponent.
+inline mpz_class whole_number(double value, int exponent) {
+  int own = 0;
+  const mpz_class mantissa(std::ldexp(std::frexp(value, &own), 53));
+  return value == 0.0 ? mpz_class(0) : mpz_class(mantissa << static_cast<unsigned long>(own - 53 - exponent));
+}
+
+inline int least_exponent(const Vec3& v) {
+  int least = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    int own = 0;
+    if (std::frexp(v[axis], &own) != 0.0) least = std::min(least, own - 53);
+  }
+  return least;
+}
+
+using WholeVector = std::array<mpz_class, 3>;
+
+inline WholeVector exact_difference(const Vec3& a, const Vec3& b, int exponent) {
+  WholeVector difference;
+  for (int axis = 0; axis < 3; ++axis)
+    difference[static_cast<std::size_t>(axis)] =
+        whole_number(a[axis], exponent) - whole_number(b[axis], exponent);
+  return difference;
+}
+
 /// The sign of the volume that a, b, c and d span.
 inline int exact_side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const Vec3 u = a - d, v = b - d, w = c - d;
@@ -24,16 +51,11 @@ inline int exact_side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d
   // Beyond that, rounding has no say.
   if (std::abs(about) > 1e-10 * size && coordinates < 1e3 * std::min({u.norm(), v.norm(), w.norm()}))
     return about > 0.0 ? 1 : -1;
-  std::array<std::array<mpq_class, 3>, 3> m;
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto k = static_cast<std::size_t>(axis);
-    m[0][k] = mpq_class(a[axis]) - mpq_class(d[axis]);
-    m[1][k] = mpq_class(b[axis]) - mpq_class(d[axis]);
-    m[2][k] = mpq_class(c[axis]) - mpq_class(d[axis]);
-  }
-  return sgn(m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
-             m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
-             m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]));
+  const int unit = std::min({least_exponent(a), least_exponent(b), least_exponent(c), least_exponent(d)});
+  const WholeVector p = exact_difference(a, d, unit), q = exact_difference(b, d, unit),
+                    r = exact_difference(c, d, unit);
+  return sgn(mpz_class(p[0] * (q[1] * r[2] - q[2] * r[1]) - p[1] * (q[0] * r[2] - q[2] * r[0]) +
+                       p[2] * (q[0] * r[1] - q[1] * r[0])));
 }
 
 /// Whether an edge has a place in common with a triangle that it does not lie in the plane of.
