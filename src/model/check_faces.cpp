@@ -118,7 +118,7 @@ class FaceStart {
   void report_near(std::vector<Problem>& problems) const {
     std::vector<Finding> findings(model_.faces.size());
     std::vector<FacePair> pairs;
-    FacePairs().find(mesh_, whole_, places_, std::vector<double>(mesh_.size(), 0.0), most_near_pairs, pairs);
+    find_face_pairs(mesh_, whole_, places_, std::vector<double>(mesh_.size(), 0.0), most_near_pairs, pairs);
     for (const FacePair& pair : pairs) {
       if (mesh_.of_solid(pair.nodes[0]) || mesh_.of_solid(pair.nodes[3])) continue;
       const double distance = nearest_gap(pair, places_).distance, apart = kept_apart(mesh_, pair);

@@ -63,8 +63,8 @@ double overlap_of_faces(const Model& model, const State& state) {
   std::vector<Vec3> places;
   mesh.places(state.position, places);
   std::vector<FacePair> pairs;
-  FacePairs().find(mesh, whole_faces(mesh, model, state.broken_at), places,
-                   std::vector<double>(mesh.size(), 0.0), std::numeric_limits<std::size_t>::max(), pairs);
+  find_face_pairs(mesh, whole_faces(mesh, model, state.broken_at), places,
+                  std::vector<double>(mesh.size(), 0.0), std::numeric_limits<std::size_t>::max(), pairs);
   double deepest = 0.0;
   for (const FacePair& pair : pairs)
     if (!mesh.of_solid(pair.nodes[0]) && !mesh.of_solid(pair.nodes[3]))

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "model/box_tree.h"
 
@@ -69,24 +70,17 @@ FaceGap edge_and_edge(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d
   return nearest;
 }
 
-// Collects pairs of numbers as keys that sort by the first and then the second.
-class PairKeys {
- public:
-  PairKeys(std::vector<std::uint64_t>& keys, std::size_t most) : keys_(keys), most_(most) { keys_.clear(); }
-  void add(std::uint32_t a, std::uint32_t b) { keys_.push_back((std::uint64_t{a} << 32U) | b); }
-  bool full() const { return keys_.size() > most_; }
-  void sort() { std::ranges::sort(keys_); }
+// A pair by numbers that sort by the first and then the second of it, and its distance (m).
+using KeyedPair = std::pair<std::uint64_t, double>;
 
- private:
-  std::vector<std::uint64_t>& keys_;
-  std::size_t most_;
-};
-
-std::uint32_t first_of(std::uint64_t key) {
-  return static_cast<std::uint32_t>(key >> 32U);
+KeyedPair keyed(std::uint32_t a, std::uint32_t b, double distance) {
+  return {(std::uint64_t{a} << 32U) | b, distance};
 }
-std::uint32_t second_of(std::uint64_t key) {
-  return static_cast<std::uint32_t>(key);
+std::uint32_t first_of(const KeyedPair& pair) {
+  return static_cast<std::uint32_t>(pair.first >> 32U);
+}
+std::uint32_t second_of(const KeyedPair& pair) {
+  return static_cast<std::uint32_t>(pair.first);
 }
 
 // One search: the same arguments all the way down.
@@ -96,7 +90,7 @@ class PairSearch {
              const std::vector<double>& rooms)
       : mesh_(mesh), whole_(whole), places_(places), rooms_(rooms) {}
 
-  void points_with_triangles(PairKeys& keys) {
+  void points_with_triangles(std::vector<KeyedPair>& found, std::size_t most) {
     bounds_.clear();
     for (const std::uint32_t point : whole_.points) bounds_.push_back(bounds_of(std::array{point}));
     BoxTree points;
@@ -108,23 +102,25 @@ class PairSearch {
     points.visit_pairs(tree_, [&](std::uint32_t i, std::uint32_t j) {
       const std::uint32_t point = whole_.points[i], triangle = whole_.triangles[j];
       const auto [a, b, c] = mesh_.triangles[triangle];
-      if (point == a || point == b || point == c || keys.full()) return;
-      if (may_touch({{point, a, b, c}, false})) keys.add(point, triangle);
+      if (point == a || point == b || point == c || found.size() > most) return;
+      if (const double distance = near_enough({{point, a, b, c}, false}); distance < too_far)
+        found.push_back(keyed(point, triangle, distance));
     });
-    keys.sort();
+    std::ranges::sort(found);
   }
 
-  void edges_with_edges(PairKeys& keys) {
+  void edges_with_edges(std::vector<KeyedPair>& found, std::size_t most) {
     bounds_.clear();
     for (const std::uint32_t edge : whole_.edges) bounds_.push_back(bounds_of(mesh_.edges[edge].nodes));
     tree_.fill(bounds_);
     tree_.visit_pairs([&](std::uint32_t i, std::uint32_t j) {
       const auto [a, b] = mesh_.edges[whole_.edges[i]].nodes;
       const auto [c, d] = mesh_.edges[whole_.edges[j]].nodes;
-      if (a == c || a == d || b == c || b == d || keys.full()) return;
-      if (may_touch({{a, b, c, d}, true})) keys.add(whole_.edges[i], whole_.edges[j]);
+      if (a == c || a == d || b == c || b == d || found.size() > most) return;
+      if (const double distance = near_enough({{a, b, c, d}, true}); distance < too_far)
+        found.push_back(keyed(whole_.edges[i], whole_.edges[j], distance));
     });
-    keys.sort();
+    std::ranges::sort(found);
   }
 
  private:
@@ -138,15 +134,19 @@ class PairSearch {
     return bounds;
   }
 
-  bool may_touch(const FacePair& pair) const {
+  static constexpr double too_far = std::numeric_limits<double>::infinity();
+
+  // The distance of a pair that can come into contact, or too_far.
+  double near_enough(const FacePair& pair) const {
     const auto [a, b, c, d] = pair.nodes;
-    if (!mesh_.meet(mesh_.group[a], mesh_.group[d])) return false;
+    if (!mesh_.meet(mesh_.group[a], mesh_.group[d])) return too_far;
     const bool held = mesh_.inverse_mass[a] == 0.0 && mesh_.inverse_mass[b] == 0.0 &&
                       mesh_.inverse_mass[c] == 0.0 && mesh_.inverse_mass[d] == 0.0;
-    if (held) return false;
+    if (held) return too_far;
     const double room = pair.edges ? std::max(rooms_[a], rooms_[b]) + std::max(rooms_[c], rooms_[d])
                                    : rooms_[a] + std::max({rooms_[b], rooms_[c], rooms_[d]});
-    return nearest_gap(pair, places_).distance <= watched_apart(mesh_, pair) + room;
+    const double distance = nearest_gap(pair, places_).distance;
+    return distance <= watched_apart(mesh_, pair) + room ? distance : too_far;
   }
 
   const FaceMesh& mesh_;
@@ -169,22 +169,21 @@ FaceGap nearest_gap(const FacePair& pair, const std::vector<Vec3>& places) {
   return nearest_gap(pair.edges, {places[a], places[b], places[c], places[d]});
 }
 
-void FacePairs::find(const FaceMesh& mesh, const WholeFaces& whole, const std::vector<Vec3>& places,
+void find_face_pairs(const FaceMesh& mesh, const WholeFaces& whole, const std::vector<Vec3>& places,
                      const std::vector<double>& rooms, std::size_t most, std::vector<FacePair>& pairs) {
   pairs.clear();
   PairSearch search(mesh, whole, places, rooms);
-  PairKeys keys(keys_, most);
-  search.points_with_triangles(keys);
-  for (const std::uint64_t key : keys_) {
-    const auto& nodes = mesh.triangles[second_of(key)];
-    pairs.push_back({{first_of(key), nodes[0], nodes[1], nodes[2]}, false});
+  std::vector<KeyedPair> found;
+  search.points_with_triangles(found, most);
+  for (const KeyedPair& pair : found) {
+    const auto& nodes = mesh.triangles[second_of(pair)];
+    pairs.push_back({{first_of(pair), nodes[0], nodes[1], nodes[2]}, false, pair.second});
   }
-  PairKeys edge_keys(keys_, most);
-  search.edges_with_edges(edge_keys);
-  for (const std::uint64_t key : keys_) {
-    const auto& a = mesh.edges[first_of(key)].nodes;
-    const auto& b = mesh.edges[second_of(key)].nodes;
-    pairs.push_back({{a[0], a[1], b[0], b[1]}, true});
+  found.clear();
+  search.edges_with_edges(found, most);
+  for (const KeyedPair& pair : found) {
+    const auto &a = mesh.edges[first_of(pair)].nodes, &b = mesh.edges[second_of(pair)].nodes;
+    pairs.push_back({{a[0], a[1], b[0], b[1]}, true, pair.second});
   }
 }
 

@@ -33,6 +33,7 @@
 namespace taut {
 namespace {
 
+constexpr double not_known = -1.0;    // m
 constexpr double let_out = 0.25;      // of what is missing of a gap, in a step
 constexpr double never_nearer = 0.1;  // thicknesses, that pairs never come nearer than where they can help it
 constexpr int most_rounds = 16;       // of impulses
@@ -76,19 +77,22 @@ void FaceContacts::links_changed(const State& state) {
 }
 
 void FaceContacts::find_pairs(bool from_new_start) {
-  if (!search_.cover(start_, end_) && !from_new_start) return;
-  const std::vector<FacePair>& pairs = search_.pairs();
-  distance_at_start_.resize(pairs.size());
-  for (std::size_t i = 0; i < pairs.size(); ++i)
-    distance_at_start_[i] = nearest_gap(pairs[i], start_).distance;
+  if (search_.cover(start_, end_) || from_new_start)
+    distance_at_start_.assign(search_.pairs().size(), not_known);
+}
+
+double FaceContacts::distance_at_start(std::size_t pair) {
+  double& distance = distance_at_start_[pair];
+  if (distance == not_known) distance = nearest_gap(search_.pairs()[pair], start_).distance;
+  return distance;
 }
 
 // Nearer than which a pair never comes: a small part of its thickness, or half the gap that there is.
-double FaceContacts::stop(std::size_t pair) const {
+double FaceContacts::stop(std::size_t pair) {
   const FacePair& which = search_.pairs()[pair];
   const double clear = kept_clear(search_.mesh(), which);
   return clear + std::min(never_nearer * (kept_apart(search_.mesh(), which) - clear),
-                          0.5 * (distance_at_start_[pair] - clear));
+                          0.5 * (distance_at_start(pair) - clear));
 }
 
 FaceContacts::Contact FaceContacts::contact_at(const FacePair& pair, const FaceGap& gap) const {
@@ -105,7 +109,8 @@ void FaceContacts::prepare(std::size_t pair) {
   const FacePair& which = search_.pairs()[pair];
   const double apart = kept_apart(search_.mesh(), which), clear = kept_clear(search_.mesh(), which);
   const double thickness = apart - clear, watched = watched_apart(search_.mesh(), which);
-  const double distance = distance_at_start_[pair], approach = most_approach(which, start_, end_);
+  if (search_.least_distance(which) > watched) return;
+  const double distance = distance_at_start(pair), approach = most_approach(which, start_, end_);
   if (distance - approach > watched || !(distance > clear)) return;
   FaceMeeting met;
   if (approach > distance - clear)
@@ -163,8 +168,10 @@ void FaceContacts::solve(Vectors& position) {
   put(position);
 }
 
-FaceMeeting FaceContacts::meeting(std::size_t pair) const {
-  return first_meeting(search_.pairs()[pair], start_, end_, distance_at_start_[pair], stop(pair));
+FaceMeeting FaceContacts::meeting(std::size_t pair) {
+  const FacePair& which = search_.pairs()[pair];
+  if (search_.least_distance(which) > kept_apart(search_.mesh(), which)) return {};
+  return first_meeting(which, start_, end_, distance_at_start(pair), stop(pair));
 }
 
 bool FaceContacts::push_apart_what_meets() {

@@ -52,10 +52,11 @@ class FaceContacts {
   void find_pairs(bool from_new_start);
   Contact contact_at(const FacePair& pair, const FaceGap& gap) const;
   void prepare(std::size_t pair);
-  double stop(std::size_t pair) const;
+  double distance_at_start(std::size_t pair);
+  double stop(std::size_t pair);
   bool push(const Contact& contact, std::vector<Vec3>& places) const;
   void put(Vectors& position) const;
-  FaceMeeting meeting(std::size_t pair) const;
+  FaceMeeting meeting(std::size_t pair);
   bool push_apart_what_meets();
   bool lift_from_ground();
   bool hold_together();
@@ -66,7 +67,7 @@ class FaceContacts {
   FaceSearch search_;
   std::vector<HalfSpace> grounds_;
   std::vector<Vec3> start_, end_;          // m, of the nodes
-  std::vector<double> distance_at_start_;  // m, of each pair of the search
+  std::vector<double> distance_at_start_;  // m, of each pair of the search, where it was asked for
   std::vector<Contact> contacts_;
   bool finite_ = true, touched_ = false;
 };

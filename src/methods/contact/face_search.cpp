@@ -1,5 +1,7 @@
 #include "contact/face_search.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace taut {
@@ -11,14 +13,24 @@ void FaceSearch::links_changed(const State& state) {
   middles_.clear();
 }
 
-bool FaceSearch::covers(const std::vector<Vec3>& start, const std::vector<Vec3>& end) const {
+// Also measures how much of its room each node uses.
+bool FaceSearch::covers(const std::vector<Vec3>& start, const std::vector<Vec3>& end) {
   if (middles_.size() != start.size()) return false;
+  used_.resize(start.size());
+  bool within = true;
   for (std::size_t i = 0; i < start.size(); ++i) {
-    const double square = rooms_[i] * rooms_[i];
-    if ((start[i] - middles_[i]).squaredNorm() > square || (end[i] - middles_[i]).squaredNorm() > square)
-      return false;
+    const double square =
+        std::max((start[i] - middles_[i]).squaredNorm(), (end[i] - middles_[i]).squaredNorm());
+    used_[i] = std::sqrt(square);
+    within = within && used_[i] <= rooms_[i];
   }
-  return true;
+  return within;
+}
+
+double FaceSearch::least_distance(const FacePair& pair) const {
+  const auto [a, b, c, d] = pair.nodes;
+  return pair.distance - (pair.edges ? std::max(used_[a], used_[b]) + std::max(used_[c], used_[d])
+                                     : used_[a] + std::max({used_[b], used_[c], used_[d]}));
 }
 
 bool FaceSearch::cover(const std::vector<Vec3>& start, const std::vector<Vec3>& end) {
@@ -32,7 +44,8 @@ bool FaceSearch::cover(const std::vector<Vec3>& start, const std::vector<Vec3>& 
     const double way = (end[i] - start[i]).norm();
     rooms_[i] = round_up * (0.5 * way + (mesh_.of_solid(i) ? 0.0 : slack * mesh_.radius[i]));
   }
-  finder_.find(mesh_, whole_, middles_, rooms_, std::numeric_limits<std::size_t>::max(), pairs_);
+  find_face_pairs(mesh_, whole_, middles_, rooms_, std::numeric_limits<std::size_t>::max(), pairs_);
+  covers(start, end);
   return true;
 }
 

@@ -26,16 +26,19 @@ class FaceSearch {
 
   const std::vector<FacePair>& pairs() const { return pairs_; }
 
+  /// A distance (m) that a pair does not come below on these straight ways: quickly had, and enough for most.
+  double least_distance(const FacePair& pair) const;
+
  private:
-  bool covers(const std::vector<Vec3>& start, const std::vector<Vec3>& end) const;
+  bool covers(const std::vector<Vec3>& start, const std::vector<Vec3>& end);
 
   const Model& model_;
   FaceMesh mesh_;
   WholeFaces whole_;
-  FacePairs finder_;
   std::vector<FacePair> pairs_;
   std::vector<Vec3> middles_;  // m, of each node's room at the last search; none: pairs are not known
   std::vector<double> rooms_;  // m, their radii
+  std::vector<double> used_;   // m of that, by the ways that were covered last
 };
 
 }  // namespace taut

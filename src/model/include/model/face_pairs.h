@@ -12,9 +12,9 @@ namespace taut {
 struct FacePair {
   std::array<std::uint32_t, 4> nodes{};
   bool edges = false;
+  double distance = 0.0;  ///< m, where it was found
 
   std::size_t first_of_other() const { return edges ? 2 : 1; }
-  bool operator==(const FacePair&) const = default;
 };
 
 /// Where the two of a pair are nearest to each other: apart = Σ weightₖ xₖ leads from the second to the
@@ -43,17 +43,10 @@ inline double watched_apart(const FaceMesh& mesh, const FacePair& pair) {
   return kept_apart(mesh, pair) + look_ahead * (kept_apart(mesh, pair) - kept_clear(mesh, pair));
 }
 
-/// Finds the pairs that can come into contact while no node leaves a ball around its place.
-class FacePairs {
- public:
-  /// Pairs whose distance can come to watched_apart(), each once, points with triangles before
-  /// edges and both rising: all of them, unless there are more than `most`. `rooms`: the radius (m) of each
-  /// node's ball.
-  void find(const FaceMesh& mesh, const WholeFaces& whole, const std::vector<Vec3>& places,
-            const std::vector<double>& rooms, std::size_t most, std::vector<FacePair>& pairs);
-
- private:
-  std::vector<std::uint64_t> keys_;
-};
+/// Finds the pairs that can come into contact while no node leaves a ball around its place: those whose
+/// distance can come to watched_apart(), each once, points with triangles before edges and both rising; all
+/// of them, unless there are more than about `most`. `rooms`: the radius (m) of each node's ball.
+void find_face_pairs(const FaceMesh& mesh, const WholeFaces& whole, const std::vector<Vec3>& places,
+                     const std::vector<double>& rooms, std::size_t most, std::vector<FacePair>& pairs);
 
 }  // namespace taut
