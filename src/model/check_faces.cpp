@@ -13,45 +13,46 @@ namespace {
 constexpr double rounding = 1e-9;                   // of a thickness
 constexpr std::size_t most_near_pairs = 5'000'000;  // more than any sheet has that does not lie in itself
 
-// Where faces start, and what of it is wrong: at most one report of each kind for a sheet.
+// Where faces start, and what of it is wrong: at most one report for a sheet.
 class FaceStart {
  public:
   FaceStart(const Builder& builder, const Description& description)
       : model_(builder.model),
         description_(description),
-        position_(builder.start.position),
         mesh_(builder.model),
         whole_(whole_faces(mesh_, builder.model, builder.start.broken_at)) {
-    mesh_.places(position_, places_);
+    mesh_.places(builder.start.position, places_);
   }
 
-  void report(std::vector<Problem>& problems) const {
-    const std::size_t before = problems.size();
-    report_tangles(problems);
-    report_solids(problems);
-    if (problems.size() == before) report_near(problems);
+  void report(std::vector<Problem>& problems) {
+    findings_.resize(model_.faces.size());
+    note_tangles();
+    note_solids();
+    note_near();
+    for (std::size_t i = 0; i < findings_.size(); ++i) {
+      const auto& [kind, first, places] = findings_[i];
+      if (places == 0) continue;
+      const std::string more = places > 1 ? fmt::format("; there are {} such places", places) : "";
+      problems.push_back({"sheet", model_.faces[i].sheet, "faces", first + more, ""});
+    }
   }
 
  private:
-  // What is wrong with a sheet, as it is found: the first place, and how many.
+  // What is wrong with a sheet: the gravest kind alone, by its first place, and how many there are.
+  enum class Kind { tangled, in_solid, near };
   struct Finding {
+    Kind kind = Kind::tangled;
     std::string first;
-    std::size_t count = 0;
+    std::size_t places = 0;
   };
 
-  static void put(const std::vector<Finding>& findings, const Model& model, std::vector<Problem>& problems) {
-    for (std::size_t i = 0; i < findings.size(); ++i)
-      if (findings[i].count > 0)
-        problems.push_back(
-            {"sheet", model.faces[i].sheet, "faces",
-             findings[i].first +
-                 (findings[i].count > 1 ? fmt::format("; there are {} such places", findings[i].count) : ""),
-             ""});
-  }
-
-  void note(std::vector<Finding>& findings, std::uint32_t node, const std::string& text) const {
-    Finding& finding = findings[mesh_.group[node]];
-    if (finding.count++ == 0) finding.first = text;
+  // Of the sheets of two nodes, or of one of those and a solid, the first.
+  template <class Text>
+  void note(Kind kind, std::uint32_t one, std::uint32_t other, const Text& text) {
+    Finding& finding = findings_[std::min(mesh_.group[one], mesh_.group[other])];
+    if (finding.places > 0 && finding.kind != kind) return;
+    finding.kind = kind;
+    if (finding.places++ == 0) finding.first = text();
   }
 
   // A sheet's node by its mass, a solid's by its section.
@@ -83,63 +84,60 @@ class FaceStart {
     return (count == 2 ? "the edge of " : count == 3 ? "the face of " : "") + names;
   }
 
-  void report_tangles(std::vector<Problem>& problems) const {
-    std::vector<Finding> findings(model_.faces.size());
-    for (const Tangle& tangle : find_tangles(mesh_, whole_, places_, most_near_pairs)) {
-      const std::uint32_t node = mesh_.of_solid(tangle.edge[0]) ? tangle.triangle[0] : tangle.edge[0];
-      note(findings, node,
-           fmt::format("faces must not start through each other or through a solid: {} goes through {}",
-                       names_of(tangle.edge), names_of(tangle.triangle)));
-    }
-    put(findings, model_, problems);
+  void note_tangles() {
+    for (const Tangle& tangle : find_tangles(mesh_, whole_, places_, most_near_pairs))
+      note(Kind::tangled, tangle.edge[0], tangle.triangle[0], [&] {
+        return fmt::format("faces must not start through each other or through a solid: {} goes through {}",
+                           names_of(tangle.edge), names_of(tangle.triangle));
+      });
   }
 
-  void report_solids(std::vector<Problem>& problems) const {
-    std::vector<Finding> findings(model_.faces.size());
+  void note_solids() {
     for (const std::uint32_t triangle : whole_.triangles) {
       const auto& nodes = mesh_.triangles[triangle];
       if (mesh_.of_solid(nodes[0])) continue;
       const std::array corners{places_[nodes[0]], places_[nodes[1]], places_[nodes[2]]};
       const double half = mesh_.radius[nodes[0]];
       for (std::size_t i = 0; i < model_.colliders.size(); ++i) {
-        if (!may_be_within(half, model_.colliders[i].shape, corners)) continue;
-        const double distance = least_distance(model_.colliders[i].shape, corners);
-        if (!(distance < half * (1.0 - rounding))) continue;
-        note(findings, nodes[0],
-             distance < 0.0
-                 ? fmt::format("{} starts inside {}", names_of(nodes), solid_name(i))
-                 : fmt::format("{} starts {:.4g} m from {}, nearer than half its thickness, {:.4g} m",
-                               names_of(nodes), distance, solid_name(i), half));
+        const Shape& shape = model_.colliders[i].shape;
+        if (!may_be_within(half, shape, corners)) continue;
+        const double distance = least_distance(shape, corners);
+        if (distance < half * (1.0 - rounding))
+          note(Kind::in_solid, nodes[0], nodes[0], [&] { return in_solid(nodes, distance, half, i); });
       }
     }
-    put(findings, model_, problems);
   }
 
-  void report_near(std::vector<Problem>& problems) const {
-    std::vector<Finding> findings(model_.faces.size());
+  std::string in_solid(const std::array<std::uint32_t, 3>& nodes, double distance, double half,
+                       std::size_t collider) const {
+    if (distance < 0.0) return fmt::format("{} starts inside {}", names_of(nodes), solid_name(collider));
+    return fmt::format("{} starts {:.4g} m from {}, nearer than half its thickness, {:.4g} m",
+                       names_of(nodes), distance, solid_name(collider), half);
+  }
+
+  void note_near() {
     std::vector<FacePair> pairs;
     find_face_pairs(mesh_, whole_, places_, std::vector<double>(mesh_.size(), 0.0), most_near_pairs, pairs);
     for (const FacePair& pair : pairs) {
-      if (mesh_.of_solid(pair.nodes[0]) || mesh_.of_solid(pair.nodes[3])) continue;
-      const double distance = nearest_gap(pair, places_).distance, apart = kept_apart(mesh_, pair);
-      if (!(distance < apart * (1.0 - rounding))) continue;
       const auto [a, b, c, d] = pair.nodes;
-      const std::string one = pair.edges ? names_of(std::array{a, b}) : name_of(a);
-      const std::string other = pair.edges ? names_of(std::array{c, d}) : names_of(std::array{b, c, d});
-      note(findings, a,
-           fmt::format(
-               "faces must start at least their thickness apart, {:.4g} m: {} and {} are {:.4g} m apart",
-               apart, one, other, distance));
+      const double apart = kept_apart(mesh_, pair);
+      if (mesh_.of_solid(a) || mesh_.of_solid(d) || !(pair.distance < apart * (1.0 - rounding))) continue;
+      note(Kind::near, a, d, [&] {
+        const std::string one = pair.edges ? names_of(std::array{a, b}) : name_of(a);
+        const std::string other = pair.edges ? names_of(std::array{c, d}) : names_of(std::array{b, c, d});
+        return fmt::format(
+            "faces must start at least their thickness apart, {:.4g} m: {} and {} are {:.4g} m apart", apart,
+            one, other, pair.distance);
+      });
     }
-    put(findings, model_, problems);
   }
 
   const Model& model_;
   const Description& description_;
-  const Vectors& position_;
   FaceMesh mesh_;
   WholeFaces whole_;
   std::vector<Vec3> places_;
+  std::vector<Finding> findings_;  // of each sheet with faces
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "model/face_depth.h"
 #include "model/measures.h"
 #include "model/tangles.h"
+#include "other_process.h"
 
 namespace taut::test {
 namespace {
@@ -286,6 +287,129 @@ TEST_P(FaceMethods, NoSmallBallOrRodShowsThrough) {
   EXPECT_GT(least, 0.0);
   EXPECT_LT(deepest, 0.01);
   EXPECT_NEAR(least, 0.01 - deepest, 2e-3);  // what is measured is what is
+}
+
+// A cloth that falls crumpled onto a box and the ground, and tears.
+Description crumpled_cloth() {
+  Description description;
+  const Eigen::Matrix3d frame =
+      (Eigen::AngleAxisd(1.2, Vec3::UnitX()) * Eigen::AngleAxisd(0.3, Vec3::UnitZ())).toRotationMatrix();
+  description.sheets = {sheet_around("cloth", {0.05, 1.0, 0.0}, frame, 0.8, 16, 0.015)};
+  description.sheets[0].properties.break_tension = 2.0;
+  description.sheets[0].diagonals = description.sheets[0].properties;
+  BoxSpec box;
+  box.centre = {0.0, 0.25, 0.0};
+  box.size = {0.3, 0.5, 0.2};
+  box.turn = {0.0, 20.0, 0.0};
+  description.boxes = {box};
+  description.planes = {PlaneSpec{}};
+  return description;
+}
+
+std::string hash_after(const Built& built, const std::string& method, int steps, int threads) {
+  taut::Run moving(built.model, built.start, settings(method, 600.0, 2), {},
+                   {std::make_shared<Workers>(threads)});
+  while (moving.steps() < steps && moving.step()) {
+  }
+  return fmt::format("{:016x} {} steps, {} broken {}", state_hash(moving.state()), moving.steps(),
+                     broken_links(moving.state()), moving.failure());
+}
+
+TEST_P(FaceMethods, TheSameBitsOnAnyNumberOfThreads) {
+  const Built built = built_for(GetParam(), crumpled_cloth());
+  const std::string alone = hash_after(built, GetParam(), 500, 1);
+  for (const int threads : {2, 3, 4})
+    EXPECT_EQ(hash_after(built, GetParam(), 500, threads), alone) << threads;
+}
+
+// Another process knows nothing of what near faces this one has found, or when.
+TEST_P(FaceMethods, GoOnFromACheckpointWithTheSameBits) {
+  const Built built = built_for(GetParam(), crumpled_cloth());
+  const Settings how = settings(GetParam(), 600.0, 2);
+  taut::Run moving(built.model, built.start, how);
+  std::vector<std::string> saved;
+  while (moving.steps() < 500 && moving.step())
+    if (moving.steps() % 50 == 13) saved.push_back(to_bytes(moving.save()));
+  EXPECT_EQ(moving.failure(), "");
+  for (const std::string& bytes : saved)
+    EXPECT_EQ(in_other_process([&] {
+                taut::Run resumed(built.model, built.start, how, run_state_from(bytes, built.model));
+                while (resumed.steps() < 500 && resumed.step()) {
+                }
+                return fmt::format("{:016x}", state_hash(resumed.state()));
+              }),
+              fmt::format("{:016x}", state_hash(moving.state())));
+}
+
+// On its way, nothing is through anything, and what is torn no longer counts.
+TEST_P(FaceMethods, ACrumpledClothIsNeverTangled) {
+  const Built built = built_for(GetParam(), crumpled_cloth());
+  taut::Run moving(built.model, built.start, settings(GetParam(), 600.0, 2));
+  while (moving.steps() < 500) {
+    ASSERT_TRUE(moving.step()) << moving.failure();
+    if (moving.steps() % 5 != 0) continue;
+    ASSERT_EQ(exact_tangles(built.model, moving.state()), 0U) << moving.steps();
+    if (broken_links(moving.state()) == 0) {
+      ASSERT_EQ(exact_box_tangles(std::get<Box>(built.model.colliders[1].shape), built.model, moving.state()),
+                0U)
+          << moving.steps();
+    }
+  }
+  if (find_method(GetParam())->can.stiffness) {
+    EXPECT_GT(broken_links(moving.state()), 0U);
+  }
+}
+
+// Pins that press a sheet through itself: an error that says so, not a tangle.
+TEST_P(FaceMethods, PinsThatPressFacesThroughEachOtherAreAnError) {
+  Description description;
+  description.sheets = {sheet_around("still", Vec3::Zero(), Eigen::Matrix3d::Identity(), 1.0, 2, 0.02),
+                        sheet_around("driven", {0.0, 0.3, 0.0}, Eigen::Matrix3d::Identity(), 0.5, 4, 0.02)};
+  description.sheets[0].pinned = {"top", "bottom", "left", "right"};
+  Built built = built_for(GetParam(), description);
+  // The middle of the still one too, and all of the other one is driven down through it.
+  const Sheet& driven = built.model.sheets[1];
+  built.model.masses.inverse_mass[4] = 0.0;
+  for (Index i = driven.first_mass; i < built.model.masses.size(); ++i) {
+    built.model.masses.inverse_mass[i] = i % 2 == 0 ? 0.0 : built.model.masses.inverse_mass[i];
+    if (i % 2 != 0) continue;
+    const Vec3 at = built.start.position.at(i);
+    built.model.driven_pins.push_back({i, make_path({{0.0, at}, {1.0, at - Vec3(0.0, 1.0, 0.0)}})});
+  }
+  taut::Run moving(built.model, built.start, settings(GetParam(), 600.0, 2));
+  while (moving.steps() < 600 && moving.step()) {
+  }
+  EXPECT_NE(moving.failure().find("pins or solids press its faces through each other"), std::string::npos)
+      << moving.failure();
+  EXPECT_EQ(exact_tangles(built.model, moving.state()), 0U);
+}
+
+// Every method does it, or refuses it before the run and names those that do.
+TEST(Faces, AreKnownOrRefusedByEveryMethod) {
+  Description description;
+  description.sheets = {sheet_around("cloth", Vec3::Zero(), Eigen::Matrix3d::Identity(), 1.0, 4, 0.02)};
+  for (const Method& method : all_methods()) {
+    const Built built = built_for(std::string(method.name), description);
+    const std::vector<std::string> problems = capability_problems(built.model, method);
+    if (method.can.faces) {
+      EXPECT_TRUE(problems.empty()) << method.name;
+      continue;
+    }
+    ASSERT_FALSE(problems.empty()) << method.name;
+    EXPECT_NE(problems.back().find("has no faces that touch; these have: verlet, xpbd"), std::string::npos)
+        << problems.back();
+  }
+}
+
+TEST(Faces, AreRefusedInSinglePrecision) {
+  Description description;
+  description.sheets = {sheet_around("cloth", Vec3::Zero(), Eigen::Matrix3d::Identity(), 1.0, 4, 0.02)};
+  const Built built = build_valid(description);
+  Settings how = settings("xpbd", 600.0, 2);
+  how.values["precision"] = std::string("single");
+  const std::vector<std::string> problems = refusals(built.model, built.start, complete_settings(how));
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_NE(problems[0].find("no faces"), std::string::npos) << problems[0];
 }
 
 INSTANTIATE_TEST_SUITE_P(All, FaceMethods, ::testing::ValuesIn(face_methods()),
