@@ -295,7 +295,7 @@ Description crumpled_cloth() {
   const Eigen::Matrix3d frame =
       (Eigen::AngleAxisd(1.2, Vec3::UnitX()) * Eigen::AngleAxisd(0.3, Vec3::UnitZ())).toRotationMatrix();
   description.sheets = {sheet_around("cloth", {0.05, 1.0, 0.0}, frame, 0.8, 16, 0.015)};
-  description.sheets[0].properties.break_tension = 2.0;
+  description.sheets[0].properties.break_tension = 0.5;
   description.sheets[0].diagonals = description.sheets[0].properties;
   BoxSpec box;
   box.centre = {0.0, 0.25, 0.0};

@@ -85,7 +85,11 @@ TEST(KeyReference, ListsEveryKeyOfEverySection) {
                                            "skip_one.stiffness",
                                            "skip_one.damping",
                                            "skip_one.break_stretch",
-                                           "skip_one.break_tension"}));
+                                           "skip_one.break_tension",
+                                           "faces",
+                                           "faces.thickness",
+                                           "faces.friction",
+                                           "faces.self_collides"}));
   EXPECT_EQ(keys_of("`[[mass]]`"),
             (Names{"name", "position", "velocity", "mass", "pinned", "motion", "motion.amplitude",
                    "motion.angular_frequency", "motion.phase", "motion.path", "radius", "collides"}));
@@ -150,7 +154,7 @@ TEST(KeyReference, ListsEveryKeyOfEverySection) {
                                         "trails",       "trail_time",     "supports",
                                         "thread_pitch", "hem_width"}));
   EXPECT_EQ(keys_of("`[expect]`"), (Names{"max_strain", "energy_drift", "broken_links", "sag", "at_rest",
-                                          "inside", "limit_excess", "penetration"}));
+                                          "inside", "limit_excess", "penetration", "tangled"}));
 }
 
 TEST(KeyReference, ListsEveryParameterOfEveryMethod) {
