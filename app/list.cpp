@@ -68,6 +68,7 @@ Json method_to_json(const Method& method) {
             {"rigid", method.can.rigid},
             {"ground", method.can.ground},
             {"limits", method.can.limits},
+            {"one_sided_links", method.can.one_sided},
             {"joints", method.can.joints},
             {"colliders", method.can.colliders},
             {"drag", method.can.drag},

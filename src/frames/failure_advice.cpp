@@ -60,7 +60,7 @@ BadLength worst_length(const Model& model, const State& state) {
   BadLength worst;
   for (std::size_t i = 0; i < model.links.size(); ++i) {
     if (!model.links.rigid(i)) continue;
-    const double strain = link_distance(model, state.position, i) / model.links.length[i] - 1.0;
+    const double strain = model.links.strain(i, link_distance(model, state.position, i));
     if (std::abs(strain) > std::abs(worst.strain)) worst = {i, strain};
   }
   return worst;

@@ -15,13 +15,13 @@ constexpr double alike = 1e-9;           // of the scene's size
 
 std::string_view cause(const Model& model, const Model& calm, const State& state) {
   if (calm.breakable_links.empty() && broken_links(state) > 0) return "the first link breaks";
-  const bool reached = calm.limits.empty() && largest_limit_excess(model, state) > 0.0;
+  const bool reached = !limits_angles(calm) && largest_limit_excess(model, state) > 0.0;
   return reached ? "an angle reaches its limit" : "something is touched";
 }
 
 // Without anything that can be met, reached or broken.
 Model without_events(Model model) {
-  model.limits.clear();
+  std::erase_if(model.limits, [](const Limit& limit) { return limit.kind != LimitKind::reach; });
   model.breakable_links.clear();
   std::ranges::fill(model.links.break_stretch, infinity);
   std::ranges::fill(model.links.break_tension, infinity);

@@ -77,7 +77,7 @@ double mean_rigid_strain(const Model& model, const State& state) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < model.links.size(); ++i) {
     if (!model.links.rigid(i) || state.broken(i)) continue;
-    sum += std::abs(link_distance(model, state.position, i) / model.links.length[i] - 1.0);
+    sum += std::abs(model.links.strain(i, link_distance(model, state.position, i)));
     ++count;
   }
   return count > 0 ? sum / static_cast<double>(count) : 0.0;

@@ -15,15 +15,11 @@
 namespace taut {
 namespace {
 
-double end_of(const Motion& motion) {
-  const auto* path = std::get_if<Path>(&motion);
-  return path == nullptr ? infinity : path->knots.back().time;
-}
-
 // A chain that the formulas know: alone in its scene, along the arrays, every link alike and every inner mass
 // alike, and all of it in a vertical plane through its pins.
 bool is_plain_chain(const Model& model) {
-  if (model.chains.size() != 1 || !model.loads.empty() || !model.contacts.empty()) return false;
+  if (model.chains.size() != 1 || !model.loads.empty() || !model.contacts.empty() || !model.limits.empty())
+    return false;
   const Chain& chain = model.chains.front();
   const Links& links = model.links;
   if (chain.link_count != links.size() || chain.link_count + 1 != model.masses.size()) return false;
@@ -95,8 +91,8 @@ std::optional<RestShape> hang_between(const Model& model, const State& start) {
 
 double last_change(const Model& model) {
   double last = 0.0;
-  for (const DrivenPin& pin : model.driven_pins) last = std::max(last, end_of(pin.motion));
-  for (const Load& load : model.loads) last = std::max(last, load.to);
+  for (const DrivenPin& pin : model.driven_pins) last = std::max(last, last_change(pin.motion));
+  for (const Load& load : model.loads) last = std::max(last, load.gone < infinity ? load.gone : load.to);
   return last;
 }
 

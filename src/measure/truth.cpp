@@ -13,8 +13,7 @@ double rigid_strain(const Model& model, const State& state) {
   double largest = 0.0;
   for (std::size_t i = 0; i < model.links.size(); ++i)
     if (model.links.rigid(i) && !state.broken(i))
-      largest =
-          std::max(largest, std::abs(link_distance(model, state.position, i) / model.links.length[i] - 1.0));
+      largest = std::max(largest, std::abs(model.links.strain(i, link_distance(model, state.position, i))));
   return largest;
 }
 

@@ -57,6 +57,9 @@ Method dop853_method() {
   can.family = Family::acceleration;
   can.stiffness = true;
   can.limits = true;
+  can.one_sided = true;
+  can.bending = true;
+  can.most_limits = most_limits_solved_together;
   can.break_stretch = true;
   can.break_tension = true;
   can.tension_order = 2;

@@ -32,7 +32,7 @@ class EulerStepper final : public FileOrderStepper {
       : model_(model),
         passes_(passes),
         keep_velocities_(keep_velocities),
-        links_(solvable_links(model)),
+        links_(links_with_a_free_end(model)),
         ground_(model) {}
 
  private:
@@ -75,8 +75,11 @@ class EulerStepper final : public FileOrderStepper {
         ++report.breaks;
         continue;
       }
-      if (distance == 0.0) continue;  // no direction to move in; gravity or a neighbour will part the two
-      const Vec3 reach = difference * (length / distance);
+      // Nothing to do, or no direction to do it in; gravity or a neighbour will part the two.
+      const double stretch = model_.links.stretch(link, distance);
+      if (distance == 0.0 || (stretch == 0.0 && model_.links.one_sided(link))) continue;
+      const Vec3 reach =
+          difference * ((model_.links.one_sided(link) ? distance - stretch : length) / distance);
       if (model_.masses.pinned(a)) {
         state.position.set(b, x_a - reach);
       } else if (model_.masses.pinned(b)) {
@@ -128,6 +131,7 @@ Method euler_method() {
   can.keeps = {Keeping::not_kept, Keeping::not_kept, Keeping::not_kept};
   can.limit = StepLimit::kept_velocities;
   can.ground = true;
+  can.one_sided = true;
   can.break_stretch = true;
   can.breaks_within_step = true;
   can.tension_order = 0;

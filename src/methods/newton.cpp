@@ -37,8 +37,9 @@ class NewtonStepper final : public SwappingStepper {
       if (!state.broken(link)) whole.push_back(link);
     projection_.reset();
     net_.reset();
-    if (!model_.limits.empty() || path_order(model_, whole) || tree_order(model_, whole))
-      projection_.emplace(model_, make_link_system(model_, whole));
+    if (!model_.limits.empty() || path_order(model_, whole) ||
+        tree_order(model_, whole))
+      projection_.emplace(model_, make_link_system(model_, whole), state);
     else
       net_.emplace(model_, whole, nominal_step_);
   }
@@ -85,6 +86,8 @@ Method newton_method() {
   can.keeps = {Keeping::kept, Keeping::lost_with_step, Keeping::lost_with_step};
   can.stiffness = true;
   can.limits = true;
+  can.one_sided = true;
+  can.most_limits = most_limits_solved_together;
   can.joints = true;
   can.break_stretch = true;
   can.break_tension = true;

@@ -80,6 +80,7 @@ class RattleStepper final : public SwappingStepper {
     }
     factored_along_.resize(0);
     kicks_.links_changed(state);
+    limits_.links_changed(state);
   }
 
   StepReport make_step(State& state, double h, double end_time) override {
@@ -258,6 +259,7 @@ class RattleStepper final : public SwappingStepper {
     if (tension_of_velocities_)
       for (std::size_t i = 0; i < links.size(); ++i)
         tension_[links.link[i]] = residual_[i] * links.length[i] * (1.0 + half * model_.drag) / half;
+    limits_.give_tensions(0.5 / (half * half), position_, tension_);
     apply_impulses(links, direction_, residual_, velocity_, -1.0);
   }
 
@@ -317,6 +319,9 @@ Method rattle_method() {
   can.takes_steps_back = true;
   can.stiffness = true;
   can.limits = true;
+  can.one_sided = true;
+  can.bending = true;
+  can.most_limits = most_limits_solved_together;
   can.joints = true;
   can.break_stretch = true;
   can.break_tension = true;

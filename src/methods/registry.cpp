@@ -122,7 +122,15 @@ std::vector<std::string> capability_problems(const Model& model, const Method& m
   need(rigid, &Capabilities::rigid, "rigid links (without stiffness)");
   const bool only_ground = touches_only_ground(model);
   need(!model.contacts.empty() && only_ground, &Capabilities::ground, "ground plane");
-  need(!model.limits.empty(), &Capabilities::limits, "limits on angles");
+  need(limits_angles(model), &Capabilities::limits, "limits on angles");
+  need(has_one_sided_links(model), &Capabilities::one_sided, "links that act one way only");
+  need(!model.bends.empty(), &Capabilities::bending, "bending stiffness");
+  if (model.limits.size() > method.can.most_limits)
+    problems.push_back(fmt::format(
+        "method \"{}\" solves stops and links that act one way only all together, in memory and time that "
+        "grow as the square and the cube of how many there are: {}, and {} is the most; use xpbd, verlet or "
+        "shake",
+        method.name, model.limits.size(), method.can.most_limits));
   need(!model.joints.empty(), &Capabilities::joints, "joints with damping or friction");
   need(!only_ground, &Capabilities::colliders, "solids but planes without rebound, or bodies that touch");
   need(!model.faces.empty(), &Capabilities::faces, "faces that touch");

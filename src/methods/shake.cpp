@@ -56,6 +56,7 @@ class ShakeStepper final : public SwappingStepper {
     packed_ = packed_start_ = relaxation_.room();
     passes_.links_changed(relaxation_.links());
     kicks_.links_changed(state);
+    limits_.links_changed(state);
   }
 
   StepReport make_step(State& state, double h, double end_time) override {
@@ -104,8 +105,9 @@ class ShakeStepper final : public SwappingStepper {
 
   // What the multipliers say of the start of a step of h seconds that has also answered the kick before it.
   void put_start_tensions(double h, double kick_before, std::vector<double>& tension) const {
-    relaxation_.give_multipliers_along((1.0 + 0.5 * h * model_.drag) / (h * (0.5 * h + kick_before)),
-                                       tension);
+    const double scale = (1.0 + 0.5 * h * model_.drag) / (h * (0.5 * h + kick_before));
+    relaxation_.give_multipliers_along(scale, tension);
+    limits_.give_tensions(-scale, tension);
   }
 
   void probe_tensions(State& state, double h, StepReport& report) {
@@ -190,6 +192,8 @@ Method shake_method() {
   can.limit = StepLimit::sideways_vibration;
   can.stiffness = true;
   can.limits = true;
+  can.one_sided = true;
+  can.bending = true;
   can.joints = true;
   can.break_stretch = true;
   can.break_tension = true;

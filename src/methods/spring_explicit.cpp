@@ -22,7 +22,9 @@ class SpringExplicitStepper final : public SwappingStepper {
   explicit SpringExplicitStepper(const Model& model) : model_(model) {}
 
  private:
-  void links_changed(const State& state) override { springs_ = gather_springs(model_, state); }
+  void links_changed(const State& state) override {
+    springs_ = gather_springs(model_, state, OneSided::taken);
+  }
 
   StepReport make_step(State& state, double h, double end_time) override {
     copy_to_work(state);
@@ -61,6 +63,8 @@ Method spring_explicit_method() {
   can.limit = StepLimit::spring_frequency;
   can.stiffness = true;
   can.rigid = false;
+  can.one_sided = true;
+  can.bending = true;
   can.break_stretch = true;
   can.break_tension = true;
   return {"spring-explicit",

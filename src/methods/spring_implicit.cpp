@@ -40,7 +40,8 @@ class SpringImplicitStepper final : public SwappingStepper {
 
  private:
   void links_changed(const State& state) override {
-    springs_ = gather_springs(model_, state);
+    springs_ = gather_springs(model_, state, OneSided::taken);
+    bends_ = whole_bends(model_, state);
     analysed_ = false;
   }
 
@@ -68,7 +69,9 @@ class SpringImplicitStepper final : public SwappingStepper {
   // Newton's method until no mass moves by more than the tolerance on lengths.
   bool solve(const Vectors& start, double h, StepReport& report) {
     if (springs_.empty()) return true;
-    const double shortest = *std::min_element(springs_.links.length.begin(), springs_.links.length.end());
+    double shortest = infinity;
+    for (const double length : springs_.links.length) shortest = std::min(shortest, length);
+    if (shortest == infinity) shortest = 1.0;
     const double tolerance = length_tolerance(springs_.links, position_) * shortest;
     for (int round = 0; round < most_newton_rounds; ++round) {
       assemble(start, h);
@@ -107,6 +110,7 @@ class SpringImplicitStepper final : public SwappingStepper {
         entries_.emplace_back(unknown_[mass] + axis, unknown_[mass] + axis, inertia);
     }
     for (std::size_t i = 0; i < springs_.links.size(); ++i) add_spring(i, start, h);
+    for (const Bend& bend : bends_) add_bend(bend, h);
     const auto size = right_side_.size();
     matrix_.resize(size, size);
     matrix_.setFromTriplets(entries_.begin(), entries_.end());
@@ -118,17 +122,34 @@ class SpringImplicitStepper final : public SwappingStepper {
     const double distance = d.norm();
     // Without a direction to pull in, a block of zeros: the pattern must stay the one that was analysed.
     const Vec3 n = distance == 0.0 ? Vec3(Vec3::Zero()) : Vec3(d / distance);
-    const double k = springs_.stiffness[i], c = springs_.links.damping[i];
+    const double stretch = springs_.stretch(i, distance), c = springs_.links.damping[i];
+    const bool slack = stretch == 0.0 && !springs_.free_range.empty();
+    const double k = slack ? 0.0 : springs_.stiffness[i];
+    const double nominal = springs_.free_range.empty() ? springs_.links.length[i] : distance - stretch;
     const Vec3 moved = d - (start.at(a) - start.at(b));
-    const Vec3 pull = n * (k * (distance - springs_.links.length[i]) + c * n.dot(moved) / h);
+    const Vec3 pull = n * (k * stretch + c * n.dot(moved) / h);
     const Matrix3 along = n * n.transpose();
-    const double sideways = std::max(0.0, 1.0 - springs_.links.length[i] / distance);
+    const double sideways = slack ? 0.0 : std::max(0.0, 1.0 - nominal / distance);
     const Matrix3 block = (h * h * k) * (along + sideways * (Matrix3::Identity() - along)) + (h * c) * along;
     if (unknown_[a] >= 0) right_side_.segment<3>(unknown_[a]) -= h * h * pull;
     if (unknown_[b] >= 0) right_side_.segment<3>(unknown_[b]) += h * h * pull;
     add_block(unknown_[a], unknown_[a], block);
     add_block(unknown_[b], unknown_[b], block);
     add_block(std::max(unknown_[a], unknown_[b]), std::min(unknown_[a], unknown_[b]), -block);
+  }
+
+  // Of a bend's stiffness k ∇φ ∇φᵀ alone: what its own curvature would add can be negative.
+  void add_bend(const Bend& bend, double h) {
+    const BendAngle turn = bend_gradients(bend, position_);
+    const double strength = h * h * bend.stiffness;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Eigen::Index row = unknown_[bend.masses[i]];
+      if (row >= 0) right_side_.segment<3>(row) -= strength * (turn.angle - bend.rest) * turn.gradient[i];
+      for (std::size_t j = 0; j < 3; ++j)
+        if (unknown_[bend.masses[j]] <= row)
+          add_block(row, unknown_[bend.masses[j]],
+                    strength * turn.gradient[i] * turn.gradient[j].transpose());
+    }
   }
 
   void add_block(Eigen::Index row, Eigen::Index column, const Matrix3& block) {
@@ -142,6 +163,7 @@ class SpringImplicitStepper final : public SwappingStepper {
   std::vector<Eigen::Index> unknown_;  // first of a mass's three unknowns; −1 for a pin
   std::vector<Index> free_;
   Springs springs_;
+  std::vector<Bend> bends_;
   bool analysed_ = false;
   Vectors inertial_, free_velocity_;
   std::vector<Eigen::Triplet<double>> entries_;
@@ -166,6 +188,8 @@ Method spring_implicit_method() {
   can.keeps = {Keeping::kept, Keeping::lost_with_step, Keeping::lost_with_step};
   can.stiffness = true;
   can.rigid = false;
+  can.one_sided = true;
+  can.bending = true;
   can.break_stretch = true;
   can.break_tension = true;
   return {"spring-implicit",

@@ -35,6 +35,7 @@ Method verlet_method() {
   can.half_kicked = true;
   can.ground = true;
   can.limits = true;
+  can.one_sided = true;
   can.joints = true;
   can.colliders = true;
   can.faces = true;

@@ -41,8 +41,8 @@ std::unique_ptr<Stepper> make_xpbd(const Model& model, const Settings& settings,
 }
 
 std::string xpbd_refusal(const Model& model, const State&, const Settings& settings) {
-  const bool more = !model.limits.empty() || !touches_only_ground(model) || !model.faces.empty() ||
-                    !model.joints.empty() || model.wind;
+  const bool more = !model.limits.empty() || !model.bends.empty() || !touches_only_ground(model) ||
+                    !model.faces.empty() || !model.joints.empty() || model.wind;
   if (settings.choice("precision") != "single" || !more) return {};
   return "method xpbd in single precision knows no limits on angles, no joints that resist, no solids but "
          "the "
@@ -57,6 +57,8 @@ Method xpbd_method() {
   can.stiffness = true;
   can.ground = true;
   can.limits = true;
+  can.one_sided = true;
+  can.bending = true;
   can.joints = true;
   can.colliders = true;
   can.faces = true;

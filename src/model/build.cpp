@@ -20,6 +20,7 @@ void add_masses(Builder& builder, const std::vector<MassSpec>& specs) {
     const Index mass =
         builder.add_mass(spec.name, spec.position, spec.velocity, spec.mass, spec.pinned, spec.radius);
     if (spec.pinned) builder.drive(mass, spec.motion);
+    builder.release_at(mass, spec.release);
   }
 }
 
@@ -75,7 +76,8 @@ void add_loads(Model& model, const std::vector<LoadSpec>& specs, std::vector<Pro
   NamePatterns names(model.masses);
   std::size_t loaded = 0;
   for (std::size_t i = 0; i < specs.size(); ++i) {
-    Load load{{}, specs[i].force, specs[i].from, specs[i].to};
+    const double until = specs[i].until.value_or(infinity);
+    Load load{{}, specs[i].force, specs[i].from, specs[i].to, until, specs[i].gone.value_or(until)};
     add_loaded_masses(load, specs[i].masses, i, model.masses, names, problems);
     loaded += load.masses.size();
     if (loaded > most) {
@@ -100,7 +102,8 @@ Wind wind_of(const WindSpec& spec, const Vec3& up) {
 bool masses_are_sound(const std::vector<Problem>& problems) {
   return std::none_of(problems.begin(), problems.end(), [](const Problem& problem) {
     return problem.section == "chain" || problem.section == "sheet" || problem.section == "mass" ||
-           problem.section == "ragdoll";
+           problem.section == "ragdoll" || problem.section == "plane" || problem.section == "sphere" ||
+           problem.section == "capsule" || problem.section == "box";
   });
 }
 
@@ -132,6 +135,7 @@ Built build(const Description& description) {
   Builder builder;
   builder.model.gravity = description.gravity;
   builder.model.drag = description.drag;
+  add_solids(builder, description);
   for (std::size_t i = 0; i < description.chains.size(); ++i) {
     builder.begin_entry("chain", i);
     add_chain(builder, description.chains[i]);
@@ -145,10 +149,13 @@ Built build(const Description& description) {
     add_ragdoll(builder, description.ragdolls[i], i, built.problems);
   }
   add_masses(builder, description.masses);
-  add_solids(builder, description);
+  add_contact_points(builder);
+  find_starts_inside(builder, description, built.problems);
   find_crowds(builder, description, built.problems);
   const MassesByName by_name = names_in_use(description, builder.model.masses);
   add_links(builder, description.links, by_name, built.problems);
+  find_overreach(builder, built.problems);
+  add_seams(builder, description, built.problems);
   add_loads(builder.model, description.loads, built.problems);
   add_limits(builder, description, by_name, built.problems);
   find_face_problems(builder, description, built.problems);

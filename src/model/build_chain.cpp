@@ -76,8 +76,16 @@ void add_chain(Builder& builder, const ChainSpec& spec) {
     const Index index = builder.add_mass(spec.name + "." + std::to_string(i), points[i], Vec3::Zero(), mass,
                                          pin, spec.radius);
     if (pin) builder.drive(index, first ? spec.first_motion : spec.last_motion);
+    builder.release_at(index, first ? spec.first_release : last ? spec.last_release : std::nullopt);
     if (!first) builder.add_link(index - 1, index, link_length, spec.properties);
   }
+  if (spec.bending)
+    for (Index i = 1; i < chain.link_count; ++i) {
+      const Index mass = chain.first_mass + i, link = chain.first_link + i;
+      builder.add_bend(
+          {{mass - 1, mass, mass + 1}, spec.bending->stiffness, 0.0, {link - 1, link, no_link, no_link}},
+          spec.bending->from_start);
+    }
   builder.model.chains.push_back(std::move(chain));
 }
 

@@ -90,6 +90,7 @@ void add_masses(Builder& builder, const SheetSpec& spec) {
                            hook || pinned_by_edge(spec, edges, row, column),
                            spec.faces ? 0.5 * spec.faces->thickness : spec.radius);
       if (hook && !spec.hooks.draw.empty()) builder.drive(mass, hook_path(spec, column));
+      builder.release_at(mass, spec.release);
     }
   }
 }
@@ -154,6 +155,37 @@ void add_triangle(Model& model, const SheetLinks& links, Index a, Index b, Index
   model.triangles.push_back({{a, b, c}, {links.between(a, b), links.between(b, c), links.between(c, a)}});
 }
 
+// Along one direction, line by line: what is in a line comes one after another.
+void add_bends_along(Builder& builder, const SheetLinks& links, const SheetSpec& spec, int rows, int columns,
+                     double stiffness) {
+  const auto inside = [&](int row, int column) {
+    return row >= 0 && row < spec.rows && column >= 0 && column < spec.columns;
+  };
+  for (int row = 0; row < spec.rows; ++row)
+    for (int column = 0; column < spec.columns; ++column) {
+      if (inside(row - rows, column - columns)) continue;  // a line begins at the edge
+      for (int i = 1; inside(row + (i + 1) * rows, column + (i + 1) * columns); ++i) {
+        const auto mass = [&](int steps) { return links.mass(row + steps * rows, column + steps * columns); };
+        Bend bend{{mass(i - 1), mass(i), mass(i + 1)}, stiffness, 0.0, {no_link, no_link, no_link, no_link}};
+        bend.links[0] = links.between(mass(i - 1), mass(i));
+        bend.links[1] = links.between(mass(i), mass(i + 1));
+        if (rows != 0 && columns != 0) {  // across cells, which hold together by their edges
+          bend.links[2] = links.between(mass(i), links.mass(row + (i - 1) * rows, column + i * columns));
+          bend.links[3] = links.between(mass(i), links.mass(row + (i + 1) * rows, column + i * columns));
+        }
+        builder.add_bend(bend, spec.bending->from_start);
+      }
+    }
+}
+
+void add_bends(Builder& builder, const SheetLinks& links, const SheetSpec& spec) {
+  const SheetBendingSpec& bending = *spec.bending;
+  add_bends_along(builder, links, spec, 1, 0, bending.warp.value_or(bending.stiffness));
+  add_bends_along(builder, links, spec, 0, 1, bending.weft.value_or(bending.stiffness));
+  add_bends_along(builder, links, spec, 1, 1, bending.bias);
+  add_bends_along(builder, links, spec, 1, -1, bending.bias);
+}
+
 }  // namespace
 
 Counts count(const SheetSpec& spec) {
@@ -177,7 +209,7 @@ void add_sheet(Builder& builder, const SheetSpec& spec) {
   add_masses(builder, spec);
 
   SheetLinks links(builder, spec, sheet.first_mass);
-  links.add_family(0, 1, spec.properties, LinkFamily::structural);
+  links.add_family(0, 1, spec.weft.value_or(spec.properties), LinkFamily::structural);
   links.add_family(1, 0, spec.properties, LinkFamily::structural);
   if (spec.diagonals) {
     links.add_family(1, 1, *spec.diagonals, LinkFamily::diagonals);
@@ -194,6 +226,7 @@ void add_sheet(Builder& builder, const SheetSpec& spec) {
       add_triangle(builder.model, links, top_left, bottom_left, top_right);
       add_triangle(builder.model, links, top_right, bottom_left, bottom_right);
     }
+  if (spec.bending) add_bends(builder, links, spec);
   sheet.triangle_count = static_cast<Index>(builder.model.triangles.size()) - sheet.first_triangle;
   builder.model.sheets.push_back(std::move(sheet));
   if (spec.faces)

@@ -19,9 +19,54 @@ Box shape_of(const BoxSpec& spec) {
   return {spec.centre, 0.5 * spec.size, turned(spec.turn)};
 }
 
+// What a solid turns about and is carried by, unless said otherwise.
+Vec3 centre_of(const PlaneSpec& spec) {
+  return spec.point;
+}
+Vec3 centre_of(const SphereSpec& spec) {
+  return spec.centre;
+}
+Vec3 centre_of(const CapsuleSpec& spec) {
+  return 0.5 * (spec.from + spec.to);
+}
+Vec3 centre_of(const BoxSpec& spec) {
+  return spec.centre;
+}
+
+Path turning_path(const std::vector<std::array<double, 2>>& angles) {
+  std::vector<Knot> knots;
+  for (const auto& [time, angle] : angles) knots.push_back({time, Vec3(angle * degree, 0.0, 0.0)});
+  return make_path(std::move(knots));
+}
+
 template <typename Spec>
-void add_colliders(Model& model, const std::vector<Spec>& specs) {
-  for (const Spec& spec : specs) model.colliders.push_back({shape_of(spec), spec.friction, spec.restitution});
+std::optional<SolidMotion> motion_of(const Spec& spec) {
+  const MotionSpec& way = spec.moves.motion;
+  if (!spec.moves.rotation && !way.sinusoid && way.path.empty()) return std::nullopt;
+  SolidMotion motion;
+  motion.from = motion.centre = centre_of(spec);
+  if (way.sinusoid)
+    motion.way =
+        Sinusoid{motion.from, way.sinusoid->amplitude, way.sinusoid->angular_frequency, way.sinusoid->phase};
+  else if (!way.path.empty())
+    motion.way = make_path(way.path);
+  if (!spec.moves.rotation) return motion;
+  motion.axis = spec.moves.rotation->axis.normalized();
+  motion.centre = spec.moves.rotation->through.value_or(motion.from);
+  if (spec.moves.rotation->rate)
+    motion.turn = SteadyTurn{*spec.moves.rotation->rate * degree, spec.moves.rotation->rise};
+  else
+    motion.turn = turning_path(spec.moves.rotation->angle);
+  return motion;
+}
+
+template <typename Spec>
+void add_colliders(Builder& builder, const std::vector<Spec>& specs) {
+  for (const Spec& spec : specs) {
+    builder.model.colliders.push_back({shape_of(spec), spec.friction, spec.restitution, motion_of(spec)});
+    if (!spec.moves.name.empty())
+      builder.solid_motions.emplace(spec.moves.name, motion_of(spec).value_or(SolidMotion{}));
+  }
 }
 
 ContactPoint ball_on(Index mass, double radius, Index body) {
@@ -90,10 +135,13 @@ Eigen::Matrix3d turned(const Vec3& degrees) {
 }
 
 void add_solids(Builder& builder, const Description& description) {
-  add_colliders(builder.model, description.planes);
-  add_colliders(builder.model, description.spheres);
-  add_colliders(builder.model, description.capsules);
-  add_colliders(builder.model, description.boxes);
+  add_colliders(builder, description.planes);
+  add_colliders(builder, description.spheres);
+  add_colliders(builder, description.capsules);
+  add_colliders(builder, description.boxes);
+}
+
+void add_contact_points(Builder& builder) {
   if (!builder.model.colliders.empty() || builder.any_body()) add_contacts(builder);
 }
 

@@ -28,6 +28,8 @@ class Builder {
   /// Adds a link and returns its index.
   Index add_link(Index a, Index b, double length, const LinkProperties& properties,
                  LinkFamily family = LinkFamily::structural);
+  /// Adds a bend, unless its stiffness is 0, which rests as it starts or as it says.
+  void add_bend(Bend bend, bool from_start);
   /// Adds a bone, which touches what there is to touch in place of the masses at its ends.
   void add_bone(const Bone& bone);
   /// Drives a pinned mass, which is put where the motion begins; a spec that names no motion does nothing.
@@ -35,12 +37,18 @@ class Builder {
   void drive(Index mass, Motion motion);
   /// The body that is being added; no_body where it touches none.
   Index body() const { return body_; }
+  /// Multiplies what a link bears: its tension, and its stretch beyond its length.
+  void weaken(Index link, double share);
+  /// Lets links break, and the pin of a mass go, at a time (s); nothing where there is no pin or no time.
+  void break_links_at(double time, const std::vector<Index>& links);
+  void release_at(Index mass, const std::optional<double>& time);
   /// Whether anything touches other bodies.
   bool any_body() const { return bodies_ > 0; }
 
   Model model;
   State start;
   std::vector<Index> body_of_mass, body_of_bone;
+  std::unordered_map<std::string, SolidMotion> solid_motions;  ///< of those that have a name
 
   /// An entry of a description and the first of its links, which reach to the first one of the next entry.
   struct Entry {
@@ -51,6 +59,9 @@ class Builder {
   std::vector<Entry> entries;
 
  private:
+  Change& change_at(double time);
+  void add_free_range(Index link, const LinkProperties& properties);
+
   Index body_ = no_body, bodies_ = 0;
 };
 
@@ -66,17 +77,31 @@ void add_sheet(Builder& builder, const SheetSpec& spec);
 void add_ragdoll(Builder& builder, const RagdollSpec& spec, std::size_t index,
                  std::vector<Problem>& problems);
 
+/// Lets links give way where seams are; reports names that nothing has, and seams without links.
+void add_seams(Builder& builder, const Description& description, std::vector<Problem>& problems);
+
 /// Adds the limits on angles; reports names that no mass has, angles without a direction, and those outside
 /// their range at the start.
 void add_limits(Builder& builder, const Description& description, const MassesByName& by_name,
                 std::vector<Problem>& problems);
 
-/// Adds what masses can hit, and what of them touches it.
+/// Adds what masses can hit: before the pins that solids carry.
 void add_solids(Builder& builder, const Description& description);
+
+/// Adds what of the masses and bones touches solids or each other: after all of them.
+void add_contact_points(Builder& builder);
+
+/// Reports what starts inside a solid that moves, which would throw it out.
+void find_starts_inside(const Builder& builder, const Description& description,
+                        std::vector<Problem>& problems);
 
 /// Reports bodies that are so close together at the start that their contacts can't be counted, let alone be
 /// solved.
 void find_crowds(const Builder& builder, const Description& description, std::vector<Problem>& problems);
+
+/// Reports a rigid link that acts one way only and is further apart, or nearer, at the start than it lets its
+/// masses be.
+void find_overreach(const Builder& builder, std::vector<Problem>& problems);
 
 /// Reports faces that start through each other or through solids, or nearer than their thickness; nothing where
 /// there are other problems.

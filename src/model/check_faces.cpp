@@ -21,7 +21,9 @@ class FaceStart {
         description_(description),
         mesh_(builder.model),
         whole_(whole_faces(mesh_, builder.model, builder.start.broken_at)) {
-    mesh_.places(builder.start.position, places_);
+    mesh_.places(builder.start.position, builder.start.time, places_);
+    for (const Collider& collider : model_.colliders)
+      shapes_.push_back(shape_at(collider, builder.start.time));
   }
 
   void report(std::vector<Problem>& problems) {
@@ -98,8 +100,8 @@ class FaceStart {
       if (mesh_.of_solid(nodes[0])) continue;
       const std::array corners{places_[nodes[0]], places_[nodes[1]], places_[nodes[2]]};
       const double half = mesh_.radius[nodes[0]];
-      for (std::size_t i = 0; i < model_.colliders.size(); ++i) {
-        const Shape& shape = model_.colliders[i].shape;
+      for (std::size_t i = 0; i < shapes_.size(); ++i) {
+        const Shape& shape = shapes_[i];
         if (!may_be_within(half, shape, corners)) continue;
         const double distance = least_distance(shape, corners);
         if (distance < half * (1.0 - rounding))
@@ -137,6 +139,7 @@ class FaceStart {
   FaceMesh mesh_;
   WholeFaces whole_;
   std::vector<Vec3> places_;
+  std::vector<Shape> shapes_;      // of solids, at the start
   std::vector<Finding> findings_;  // of each sheet with faces
 };
 

@@ -3,8 +3,37 @@
 namespace taut {
 namespace {
 
+void check_rotation(Checker& check, const RotationSpec& rotation) {
+  check.require(rotation.axis.allFinite() && Checker::apart(rotation.axis, Vec3::Zero()), "rotation",
+                "rotation: axis must not be zero");
+  if (rotation.through) check.finite(*rotation.through, "rotation");
+  check.require(rotation.rate.has_value() == rotation.angle.empty(), "rotation",
+                "rotation needs either a \"rate\", or \"angle\", a list of [time, degrees]");
+  if (rotation.rate)
+    check.require(std::isfinite(*rotation.rate), "rotation", "rotation: rate must be a finite number");
+  check.require(std::isfinite(rotation.rise) && rotation.rise >= 0.0, "rotation",
+                fmt::format("rotation: rise must be 0 s or more, not {}", rotation.rise));
+  check.require(rotation.rate || rotation.rise == 0.0, "rotation",
+                "rotation: rise is how long a \"rate\" takes to be reached; angles have their own times");
+  double last = -infinity;
+  for (const auto& [time, angle] : rotation.angle) {
+    check.require(std::isfinite(time) && time > last, "rotation",
+                  "rotation: times of \"angle\" must increase");
+    check.require(std::isfinite(angle), "rotation", "rotation: angle must have finite numbers");
+    last = time;
+  }
+}
+
+void check_moves(Checker& check, const SolidMotionSpec& spec) {
+  if (!spec.name.empty()) check.name(spec.name);
+  check.require(spec.motion.with.empty(), "motion", "motion: \"with\" is for pins; a solid moves by itself");
+  check.motion(spec.motion, true, "motion");
+  if (spec.rotation) check_rotation(check, *spec.rotation);
+}
+
 template <typename Spec>
 void check_touch(Checker& check, const Spec& spec) {
+  check_moves(check, spec.moves);
   check.not_negative(spec.friction, "friction", "");
   check.require(spec.restitution >= 0.0 && spec.restitution <= 1.0, "restitution",
                 fmt::format("restitution must be from 0 to 1, not {}", spec.restitution));

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -9,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/nearest.h"
 #include "model/description.h"
 
 namespace taut {
@@ -51,6 +53,15 @@ class Checker {
   }
   void properties(const LinkProperties& properties, std::string_view prefix = "") {
     const auto key = [&](std::string_view name) { return fmt::format("{}{}", prefix, name); };
+    const bool between = properties.acts == LinkAction::between;
+    require(between == properties.longest.has_value(), key("longest"),
+            between ? "a link that acts \"between\" needs the key \"longest\""
+                    : "longest is only for links that act \"between\" two lengths");
+    if (properties.longest)
+      require(std::isfinite(*properties.longest) && *properties.longest > 1.0, key("longest"),
+              fmt::format("longest must be above 1, not {}", *properties.longest));
+    require(properties.acts == LinkAction::both || properties.damping == 0.0, key("damping"),
+            "damping is only for links that act both ways");
     if (properties.stiffness) positive(*properties.stiffness, key("stiffness"), "N/m");
     not_negative(properties.damping, key("damping"), "N s/m");
     require(properties.damping == 0.0 || properties.stiffness.has_value(), key("damping"),
@@ -60,9 +71,21 @@ class Checker {
               key("break_stretch"),
               fmt::format("break_stretch must be above 1, not {}", *properties.break_stretch));
     if (properties.break_tension) positive(*properties.break_tension, key("break_tension"), "N");
+    if (properties.break_at) positive(*properties.break_at, key("break_at"), "s");
+    require(properties.scatter >= 0.0 && properties.scatter < 1.0, key("scatter"),
+            fmt::format("scatter must be from 0 to below 1, not {}", properties.scatter));
+    require(properties.scatter == 0.0 || properties.break_stretch || properties.break_tension, key("scatter"),
+            "scatter is of break_stretch or break_tension, and there is neither");
+    require(properties.scatter_seed >= 0, key("scatter_seed"),
+            fmt::format("scatter_seed must be 0 or more, not {}", properties.scatter_seed));
+  }
+  void release(const std::optional<double>& time, bool pinned, std::string_view key) {
+    if (!time) return;
+    positive(*time, key, "s");
+    require(pinned, key, fmt::format("{} is only for what is pinned", key));
   }
   void motion(const MotionSpec& motion, bool pinned, std::string_view key) {
-    if (!motion.sinusoid && motion.path.empty()) return;
+    if (!motion.sinusoid && motion.path.empty() && motion.with.empty()) return;
     require(pinned, key, fmt::format("{} is only for a pinned mass", key));
     require(!motion.sinusoid || motion.path.empty(), key,
             fmt::format("{} has both an amplitude and a path; it can be only one of them", key));
@@ -77,13 +100,42 @@ class Checker {
       finite(knot.position, key);
       last = knot.time;
     }
+    for (std::size_t i = 1; i < motion.path.size(); ++i) no_jump(motion.path[i - 1], motion.path[i], key);
+    if (!motion.with.empty()) carried_by(motion.with, key);
+  }
+  /// Solids that have a name, which may carry pins.
+  void know_solids(const Description& description) {
+    const auto add = [this](const auto& specs) {
+      for (const auto& spec : specs)
+        if (!spec.moves.name.empty()) solids_.push_back(spec.moves.name);
+    };
+    add(description.planes);
+    add(description.spheres);
+    add(description.capsules);
+    add(description.boxes);
   }
 
   std::vector<Problem> problems;
 
  private:
+  void no_jump(const Knot& from, const Knot& to, std::string_view key) {
+    constexpr double fastest = 1e4;  // m/s: nothing that anyone drives
+    const double speed = (to.position - from.position).norm() / (to.time - from.time);
+    require(!(to.time > from.time) || speed <= fastest, key,
+            fmt::format("{}: between {} s and {} s the path goes {:.4g} m, at {:.4g} m/s: that is a jump",
+                        key, from.time, to.time, (to.position - from.position).norm(), speed));
+  }
+  void carried_by(const std::string& solid, std::string_view key) {
+    const bool known = std::ranges::find(solids_, solid) != solids_.end();
+    if (known) return;
+    const std::vector<std::string_view> names(solids_.begin(), solids_.end());
+    problems.push_back({section_, index_, std::string(key), fmt::format("no solid is named \"{}\"", solid),
+                        std::string(nearest_name(solid, names))});
+  }
+
   std::string section_;
   std::size_t index_ = 0;
+  std::vector<std::string> solids_;
   std::unordered_map<std::string, std::string> names_;
 };
 

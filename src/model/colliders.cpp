@@ -40,7 +40,35 @@ Surface surface_of(const Box& box, const Vec3& point) {
   return {depth, box.axes.col(face) * (local[face] < 0.0 ? -1.0 : 1.0)};
 }
 
+HalfSpace moved_shape(const HalfSpace& plane, const Placement& pose) {
+  return {pose.place(plane.point), pose.turn * plane.normal};
+}
+Sphere moved_shape(const Sphere& sphere, const Placement& pose) {
+  return {pose.place(sphere.centre), sphere.radius};
+}
+Capsule moved_shape(const Capsule& capsule, const Placement& pose) {
+  return {pose.place(capsule.a), pose.place(capsule.b), capsule.radius};
+}
+Box moved_shape(const Box& box, const Placement& pose) {
+  return {pose.place(box.centre), box.half_size, pose.turn * box.axes};
+}
+
 }  // namespace
+
+Shape moved(const Shape& shape, const Placement& pose) {
+  return std::visit([&pose](const auto& solid) { return Shape(moved_shape(solid, pose)); }, shape);
+}
+
+Shape shape_at(const Collider& collider, double time) {
+  return collider.motion ? moved(collider.shape, placement_at(*collider.motion, time)) : collider.shape;
+}
+
+Vec3 place_of(const ContactPoint& point, const Vectors& position) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t k = 0; k < point.masses.size(); ++k)
+    sum += point.weights[k] * position.at(point.masses[k]);
+  return sum;
+}
 
 Surface nearest_surface(const Shape& shape, const Vec3& point) {
   return std::visit([&point](const auto& solid) { return surface_of(solid, point); }, shape);

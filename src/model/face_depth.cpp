@@ -46,13 +46,15 @@ double depth_in_solids(const Model& model, const State& state, const SheetFaces&
   const Sheet& sheet = model.sheets[faces.sheet];
   const double half = 0.5 * faces.thickness;
   double deepest = 0.0;
+  std::vector<Shape> shapes;
+  for (const Collider& collider : model.colliders) shapes.push_back(shape_at(collider, state.time));
   for (Index i = sheet.first_triangle; i < sheet.first_triangle + sheet.triangle_count; ++i) {
     const Triangle& triangle = model.triangles[i];
     if (!is_whole(triangle, state)) continue;
     const std::array<Vec3, 3> corners = corners_of(triangle, state.position);
-    for (const Collider& collider : model.colliders)
-      if (may_be_within(half - deepest, collider.shape, corners))
-        deepest = std::max(deepest, half - least_distance(collider.shape, corners));
+    for (const Shape& shape : shapes)
+      if (may_be_within(half - deepest, shape, corners))
+        deepest = std::max(deepest, half - least_distance(shape, corners));
   }
   return deepest;
 }
@@ -61,7 +63,7 @@ double overlap_of_faces(const Model& model, const State& state) {
   const FaceMesh mesh(model);
   if (!mesh.any_meet()) return 0.0;
   std::vector<Vec3> places;
-  mesh.places(state.position, places);
+  mesh.places(state.position, state.time, places);
   std::vector<FacePair> pairs;
   find_face_pairs(mesh, whole_faces(mesh, model, state.broken_at), places,
                   std::vector<double>(mesh.size(), 0.0), std::numeric_limits<std::size_t>::max(), pairs);

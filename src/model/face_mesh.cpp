@@ -126,20 +126,31 @@ FaceMesh::FaceMesh(const Model& model) {
   if (model.faces.empty()) return;
   for (const SheetFaces& faces : model.faces) {
     const auto nodes = add_sheet_nodes(*this, model, faces, static_cast<std::uint32_t>(groups.size()));
-    groups.push_back({&faces, faces.friction});
+    groups.push_back({&faces, nullptr, faces.friction});
     add_sheet_triangles(*this, model, model.sheets[faces.sheet], nodes);
   }
   for (const Collider& collider : model.colliders) {
     const auto solid = static_cast<std::uint32_t>(groups.size());
-    groups.push_back({nullptr, collider.friction});
+    groups.push_back({nullptr, &collider, collider.friction});
     std::visit([&](const auto& shape) { add_solid(*this, shape, solid); }, collider.shape);
   }
 }
 
-void FaceMesh::places(const Vectors& position, std::vector<Vec3>& out) const {
+void FaceMesh::places(const Vectors& position, double time, std::vector<Vec3>& out) const {
   out.resize(size());
   for (std::size_t node = 0; node < mass.size(); ++node) out[node] = position.at(mass[node]);
-  std::ranges::copy(solid_place, out.begin() + static_cast<std::ptrdiff_t>(mass.size()));
+  std::uint32_t placed = 0xffffffffU;  // the group that the placement is of
+  Placement placement;
+  for (std::uint32_t node = static_cast<std::uint32_t>(mass.size()); node < size(); ++node) {
+    const Vec3& stands = solid_place[node - mass.size()];
+    if (!rides(node)) {
+      out[node] = stands;
+      continue;
+    }
+    if (std::exchange(placed, group[node]) != group[node])
+      placement = placement_at(*groups[group[node]].solid->motion, time);
+    out[node] = placement.place(stands);
+  }
 }
 
 bool FaceMesh::meet(std::uint32_t group_a, std::uint32_t group_b) const {

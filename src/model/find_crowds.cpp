@@ -9,13 +9,6 @@ namespace {
 // Pairs that are solved in every step, more than which no machine steps through in any time.
 constexpr std::size_t most_pairs = 20'000'000;
 
-Vec3 place_of(const ContactPoint& point, const State& start) {
-  Vec3 sum = Vec3::Zero();
-  for (std::size_t k = 0; k < point.masses.size(); ++k)
-    sum += point.weights[k] * start.position.at(point.masses[k]);
-  return sum;
-}
-
 template <typename Spec>
 bool report_in(std::string_view section, const std::vector<Spec>& specs, std::string_view name,
                const std::string& message, std::vector<Problem>& problems) {
@@ -37,7 +30,7 @@ void find_crowds(const Builder& builder, const Description& description, std::ve
   for (const ContactPoint& point : builder.model.contacts) {
     if (point.body == no_body) continue;
     balls.push_back({point.radius, point.body});
-    places.push_back(place_of(point, builder.start));
+    places.push_back(place_of(point, builder.start.position));
     masses.push_back(point.masses[0]);
   }
   NearBalls::Pairs pairs;

@@ -46,7 +46,7 @@ class WrongLengths {
 
  private:
   bool solved(Index link) const {
-    return model_.links.rigid(link) &&
+    return model_.links.rigid(link) && !model_.links.one_sided(link) &&
            !(model_.masses.pinned(model_.links.a[link]) && model_.masses.pinned(model_.links.b[link]));
   }
   double strain(Index link) const {
@@ -72,7 +72,7 @@ void find_taut_way(const Builder& builder, std::vector<Problem>& notes) {
   double least = 1.0 + 1e-9;  // length over distance; beyond it there is slack
   WaysFromPins::Way tautest;
   WaysFromPins(model, [&](Index link) {
-    return model.links.rigid(link);
+    return model.links.rigid(link) && !model.links.one_sided(link);
   }).visit_closed([&](const WaysFromPins::Way& way) {
     const double apart = (builder.start.position.at(way.from) - builder.start.position.at(way.to)).norm();
     if (!(apart > 0.0) || !(way.length / apart < least)) return;
@@ -125,6 +125,30 @@ void find_break_stretch(const Description& description, std::vector<Problem>& no
 }
 
 }  // namespace
+
+void find_overreach(const Builder& builder, std::vector<Problem>& problems) {
+  const Model& model = builder.model;
+  for (const Limit& limit : model.limits) {
+    if (limit.kind != LimitKind::reach || limit.compliance > 0.0) continue;
+    const double distance = link_distance(model, builder.start.position, limit.link);
+    const double strain = model.links.strain(limit.link, distance);
+    if (!(std::abs(strain) > alike)) continue;
+    const Builder::Entry& entry = entry_of(builder, limit.link);
+    const FreeRange& range = model.links.free_range[limit.link];
+    const auto& names = model.masses.name;
+    problems.push_back(
+        {std::string(entry.section), entry.index, "acts",
+         strain > 0.0
+             ? fmt::format("at the start \"{}\" and \"{}\" are {:.6g} m apart, and their link, which is "
+                           "rigid, lets them be {:.6g} m at most",
+                           names[limit.masses[0]], names[limit.masses[1]], distance, range.longest)
+             : fmt::format("at the start \"{}\" and \"{}\" are {:.6g} m apart, and their link, which is "
+                           "rigid, lets them be {:.6g} m at least",
+                           names[limit.masses[0]], names[limit.masses[1]], distance, range.shortest),
+         ""});
+    return;  // one tells of its kind
+  }
+}
 
 std::vector<Problem> find_notes(const Description& description, const Builder& builder) {
   constexpr std::size_t most = 20;  // entries told of links that start wrong

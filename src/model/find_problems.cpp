@@ -40,6 +40,9 @@ void check_chain(Checker& check, const ChainSpec& chain) {
                   fmt::format("pinned is a list of \"first\" and \"last\", not \"{}\"", end));
   }
   check.not_negative(chain.radius, "radius", "m");
+  check.release(chain.first_release, first, "first_release");
+  check.release(chain.last_release, last, "last_release");
+  if (chain.bending) check.not_negative(chain.bending->stiffness, "bending", "N m/rad");
   check.motion(chain.first_motion, first, "first_motion");
   check.motion(chain.last_motion, last, "last_motion");
   check.properties(chain.properties);
@@ -126,6 +129,7 @@ void check_mass(Checker& check, const MassSpec& mass) {
   check.positive(mass.mass, "mass", "kg");
   check.not_negative(mass.radius, "radius", "m");
   check.motion(mass.motion, mass.pinned, "motion");
+  check.release(mass.release, mass.pinned, "release");
 }
 
 void check_link(Checker& check, const LinkSpec& link) {
@@ -138,6 +142,35 @@ void check_load(Checker& check, const LoadSpec& load) {
   check.not_negative(load.from, "from", "s");
   check.require(std::isfinite(load.to) && load.to >= load.from, "to",
                 fmt::format("to = {} s is before from = {} s", load.to, load.from));
+  if (load.until)
+    check.require(std::isfinite(*load.until) && *load.until >= load.to, "until",
+                  fmt::format("until = {} s is before to = {} s", *load.until, load.to));
+  check.require(!load.gone || load.until, "gone", "gone is when a load has fallen away; it needs an until");
+  if (load.gone && load.until)
+    check.require(std::isfinite(*load.gone) && *load.gone >= *load.until, "gone",
+                  fmt::format("gone = {} s is before until = {} s", *load.gone, *load.until));
+}
+
+void check_seam(Checker& check, const SeamSpec& seam) {
+  const bool of_sheet = !seam.sheet.empty(), between = !seam.a.empty() || !seam.b.empty();
+  check.require(of_sheet != between, "sheet",
+                "a seam lies either in a \"sheet\", beyond a \"row\" or a \"column\", or between the masses "
+                "\"a\" and \"b\"");
+  if (between) check.require(!seam.a.empty() && !seam.b.empty(), "b", "a seam needs both \"a\" and \"b\"");
+  check.require(of_sheet ? seam.row.has_value() != seam.column.has_value() : !seam.row && !seam.column, "row",
+                of_sheet ? "a seam in a sheet needs either a \"row\" or a \"column\""
+                         : "\"row\" and \"column\" are for a seam in a \"sheet\"");
+  if (seam.strength) check.positive(*seam.strength, "strength", "");
+  check.require(
+      !seam.strength || (!seam.break_stretch && !seam.break_tension), "strength",
+      "strength is a share of what links bear otherwise; with a threshold of its own a seam has none");
+  if (seam.break_stretch)
+    check.require(std::isfinite(*seam.break_stretch) && *seam.break_stretch > 1.0, "break_stretch",
+                  fmt::format("break_stretch must be above 1, not {}", *seam.break_stretch));
+  if (seam.break_tension) check.positive(*seam.break_tension, "break_tension", "N");
+  if (seam.break_at) check.positive(*seam.break_at, "break_at", "s");
+  check.require(seam.strength || seam.break_stretch || seam.break_tension || seam.break_at, "strength",
+                "a seam needs a \"strength\", a threshold, or a \"break_at\"");
 }
 
 // Counts that the machine's memory can't hold, or the indices can't number, are refused before anything is
@@ -183,12 +216,14 @@ void check_memory(Checker& check, const Description& description) {
 
 std::vector<Problem> find_problems(const Description& description) {
   Checker check;
+  check.know_solids(description);
   check_world(check, description);
   check_each(check, "chain", description.chains, check_chain);
   check_each(check, "sheet", description.sheets, check_sheet);
   check_each(check, "mass", description.masses, check_mass);
   check_each(check, "link", description.links, check_link);
   check_each(check, "load", description.loads, check_load);
+  check_each(check, "seam", description.seams, check_seam);
   check_surroundings(check, description);
   check_bodies(check, description);
   check_memory(check, description);

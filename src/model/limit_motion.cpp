@@ -103,6 +103,11 @@ LimitMotion limit_motion(const Limit& limit, const Vectors& position, const Vect
           fixed(limit.axis.x()) * x + fixed(limit.axis.y()) * cross(z, x) + fixed(limit.axis.z()) * z;
       return turn_between(axis, fixed(0.5) * (mass(4) + mass(5)) - mass(3));
     }
+    case LimitKind::reach: {
+      const JetVector apart = mass(0) - mass(1);
+      const Jet distance = root(dot(apart, apart));
+      return {distance.rate / limit.length, distance.change / limit.length};
+    }
   }
   return {};
 }

@@ -5,6 +5,8 @@
 namespace taut {
 namespace {
 
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
 // A vector over its squared length: how fast a lever turns when its end is moved across it.
 Vec3 per_square(const Vec3& across, const Vec3& lever) {
   const double square = lever.squaredNorm();
@@ -105,6 +107,20 @@ LimitAngle cone_gradients(const Limit& limit, const Vectors& position) {
   return result;
 }
 
+double reach_of(const Limit& limit, const Vectors& position) {
+  return (position.at(limit.masses[0]) - position.at(limit.masses[1])).norm() / limit.length;
+}
+
+LimitAngle reach_gradients(const Limit& limit, const Vectors& position) {
+  const Vec3 difference = position.at(limit.masses[0]) - position.at(limit.masses[1]);
+  const double distance = difference.norm();
+  LimitAngle result;
+  result.angle = distance / limit.length;
+  result.gradient[0] = (distance > 0.0 ? Vec3(difference / distance) : Vec3(Vec3::UnitX())) / limit.length;
+  result.gradient[1] = -result.gradient[0];
+  return result;
+}
+
 void gather_repeated(const Limit& limit, LimitAngle& result) {
   for (std::size_t i = 1; i < limit.count; ++i)
     for (std::size_t first = 0; first < i; ++first) {
@@ -136,6 +152,8 @@ double limit_angle(const Limit& limit, const Vectors& position) {
       return bend(hinge_levers(limit, position));
     case LimitKind::cone:
       return angle_between(cone_frame(limit, position) * limit.axis, cone_limb(limit, position));
+    case LimitKind::reach:
+      return reach_of(limit, position);
   }
   return 0.0;
 }
@@ -152,6 +170,8 @@ LimitAngle limit_gradients(const Limit& limit, const Vectors& position) {
     case LimitKind::cone:
       result = cone_gradients(limit, position);
       break;
+    case LimitKind::reach:
+      return reach_gradients(limit, position);
   }
   gather_repeated(limit, result);
   return result;
@@ -170,6 +190,7 @@ Overshoot overshoot(const Limit& limit, double angle) {
 
 bool has_stop(const Limit& limit, double sign) {
   if (limit.kind == LimitKind::hinge) return true;
+  if (limit.kind == LimitKind::reach) return sign > 0.0 ? limit.max < infinite : limit.min > 0.0;
   return sign > 0.0 ? limit.max < std::numbers::pi : limit.min > 0.0;
 }
 

@@ -14,7 +14,7 @@ Strain link_strain(const Model& model, const State& state) {
   std::size_t whole = 0;
   for (std::size_t i = 0; i < model.links.size(); ++i) {
     if (state.broken(i)) continue;
-    const double size = std::abs(link_distance(model, state.position, i) / model.links.length[i] - 1.0);
+    const double size = std::abs(model.links.strain(i, link_distance(model, state.position, i)));
     sum += size;
     squares += size * size;
     ++whole;
@@ -39,16 +39,17 @@ Energy energy_of_masses(const Model& model, const State& state) {
                                model.gravity.z() * all_of(x.z)))
                           .sum();
   for (const Limit& limit : model.limits) {
-    if (limit.compliance == 0.0) continue;
+    if (limit.compliance == 0.0 || limit.kind == LimitKind::reach) continue;  // links are asked for theirs
     const double excess = std::max(overshoot(limit, limit_angle(limit, state.position)).size, 0.0);
     energy.elastic += 0.5 * excess * excess / limit.compliance;
   }
+  energy.elastic += bending_energy(model, state);
   return energy;
 }
 
 double elastic_energy(const Model& model, const State& state, std::size_t link) {
   if (model.links.rigid(link) || state.broken(link)) return 0.0;
-  const double stretch = link_distance(model, state.position, link) - model.links.length[link];
+  const double stretch = model.links.stretch(link, link_distance(model, state.position, link));
   return 0.5 * model.links.stiffness[link] * stretch * stretch;
 }
 
@@ -129,7 +130,7 @@ double sag(const Model& model, const State& state) {
     const double height = up.dot(state.position.at(i));
     lowest = std::min(lowest, height);
     highest = std::max(highest, height);
-    if (model.masses.pinned(i)) lowest_pin = std::min(lowest_pin, height);
+    if (model.masses.held(i, state.time)) lowest_pin = std::min(lowest_pin, height);
   }
   return (lowest_pin < infinity ? lowest_pin : highest) - lowest;
 }
@@ -144,18 +145,19 @@ double fastest_speed(const State& state) {
 double largest_limit_excess(const Model& model, const State& state) {
   double largest = 0.0;
   for (const Limit& limit : model.limits)
-    largest = std::max(largest, overshoot(limit, limit_angle(limit, state.position)).size);
+    if (limit.kind != LimitKind::reach)
+      largest = std::max(largest, overshoot(limit, limit_angle(limit, state.position)).size);
   return largest;
 }
 
 double deepest_penetration(const Model& model, const State& state) {
   double deepest = deepest_face(model, state);
+  std::vector<Shape> shapes;
+  for (const Collider& collider : model.colliders) shapes.push_back(shape_at(collider, state.time));
   for (const ContactPoint& point : model.contacts) {
-    Vec3 place = Vec3::Zero();
-    for (std::size_t k = 0; k < point.masses.size(); ++k)
-      place += point.weights[k] * state.position.at(point.masses[k]);
-    for (const Collider& collider : model.colliders)
-      deepest = std::max(deepest, point.radius - nearest_surface(collider.shape, place).distance);
+    const Vec3 place = place_of(point, state.position);
+    for (const Shape& shape : shapes)
+      deepest = std::max(deepest, point.radius - nearest_surface(shape, place).distance);
   }
   return deepest;
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "model/state.h"
+
 namespace taut {
 
 double total_link_length(const Model& model) {
@@ -29,7 +31,7 @@ bool is_plain(const ContactPoint& point) {
 }
 
 const HalfSpace* as_ground(const Collider& collider) {
-  return collider.restitution == 0.0 ? std::get_if<HalfSpace>(&collider.shape) : nullptr;
+  return collider.restitution == 0.0 && !collider.motion ? std::get_if<HalfSpace>(&collider.shape) : nullptr;
 }
 
 bool touches_only_ground(const Model& model) {
@@ -40,12 +42,31 @@ std::string link_name(const Model& model, std::size_t link) {
   return model.masses.name[model.links.a[link]] + " – " + model.masses.name[model.links.b[link]];
 }
 
-std::vector<Index> solvable_links(const Model& model) {
+std::vector<Index> links_with_a_free_end(const Model& model) {
   std::vector<Index> links;
   for (std::size_t i = 0; i < model.links.size(); ++i)
     if (!model.masses.pinned(model.links.a[i]) || !model.masses.pinned(model.links.b[i]))
       links.push_back(static_cast<Index>(i));
   return links;
+}
+
+std::vector<Index> solvable_links(const Model& model) {
+  std::vector<Index> links = links_with_a_free_end(model);
+  if (!model.links.free_range.empty())
+    std::erase_if(links, [&](Index link) { return model.links.one_sided(link); });
+  return links;
+}
+
+bool has_one_sided_links(const Model& model) {
+  return std::ranges::any_of(model.limits, [](const Limit& limit) { return limit.kind == LimitKind::reach; });
+}
+
+bool limits_angles(const Model& model) {
+  return std::ranges::any_of(model.limits, [](const Limit& limit) { return limit.kind != LimitKind::reach; });
+}
+
+bool let_go(const Limit& limit, const State& state) {
+  return limit.link != no_link && state.broken(limit.link);
 }
 
 }  // namespace taut

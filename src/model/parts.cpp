@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 
 namespace taut {
 namespace {
@@ -54,6 +55,8 @@ void remove_damping(Model& model) {
 void remove_compliance(Model& model) {
   remove_damping(model);
   std::fill(model.links.stiffness.begin(), model.links.stiffness.end(), infinity);
+  for (Limit& limit : model.limits)
+    if (limit.kind == LimitKind::reach) limit.compliance = 0.0;
 }
 
 std::string damping_extent(const Model& model) {
@@ -112,8 +115,23 @@ void remove_solids(Model& model) {
   forget_idle_contacts(model);
 }
 
+bool on_angle(const Limit& limit) {
+  return limit.kind != LimitKind::reach;
+}
+
 std::string limits_extent(const Model& model) {
-  return counted(model.limits.size(), "angle", "angles");
+  return counted(static_cast<std::size_t>(std::ranges::count_if(model.limits, on_angle)), "angle", "angles");
+}
+
+std::string one_sided_extent(const Model& model) {
+  const auto count = std::ranges::count_if(model.limits, std::not_fn(on_angle));
+  return counted(static_cast<std::size_t>(count), "link", "links");
+}
+
+// Links that pull and push about their length, as others do.
+void remove_one_sided(Model& model) {
+  std::erase_if(model.limits, std::not_fn(on_angle));
+  model.links.free_range.clear();
 }
 
 std::string joints_extent(const Model& model) {
@@ -137,6 +155,19 @@ std::string wind_extent(const Model& model) {
   return speed == 0.0 ? "still air" : fmt::format("{:.4g} m/s", speed);
 }
 
+std::string bending_extent(const Model& model) {
+  return counted(model.bends.size(), "place", "places");
+}
+
+std::string changes_extent(const Model& model) {
+  return counted(model.changes.size(), "moment", "moments");
+}
+
+void remove_changes(Model& model) {
+  model.changes.clear();
+  model.masses.release_at.clear();
+}
+
 constexpr std::array parts{
     Part{"unequal masses", masses_extent, remove_unequal_masses},
     Part{"compliance", compliance_extent, remove_compliance},
@@ -148,8 +179,11 @@ constexpr std::array parts{
     Part{"ground", ground_extent, remove_ground},
     Part{"solids", solids_extent, remove_solids},
     Part{"faces", faces_extent, remove_faces},
-    Part{"limits", limits_extent, [](Model& model) { model.limits.clear(); }},
+    Part{"limits", limits_extent, [](Model& model) { std::erase_if(model.limits, on_angle); }},
+    Part{"one-sided links", one_sided_extent, remove_one_sided},
     Part{"joints", joints_extent, [](Model& model) { model.joints.clear(); }},
+    Part{"bending", bending_extent, [](Model& model) { model.bends.clear(); }},
+    Part{"breaks and releases at a time", changes_extent, remove_changes},
     Part{"wind", wind_extent, [](Model& model) { model.wind.reset(); }},
 };
 
@@ -159,7 +193,8 @@ bool stays_flat(const Motion& motion) {
     return std::all_of(path->knots.begin(), path->knots.end(), [&](const Knot& knot) {
       return knot.position.z() == path->knots.front().position.z();
     });
-  return std::get<Sinusoid>(motion).amplitude.z() == 0.0;
+  if (const auto* sinusoid = std::get_if<Sinusoid>(&motion)) return sinusoid->amplitude.z() == 0.0;
+  return false;  // carried
 }
 
 }  // namespace
@@ -197,7 +232,7 @@ bool stays_in_plane(const Model& model, const State& start) {
                                            [](const DrivenPin& pin) { return stays_flat(pin.motion); });
   // A limb that is straight may be pushed any way across it, and what touches may be round.
   const bool nothing_round =
-      model.limits.empty() && touches_only_ground(model) && model.faces.empty() && !model.wind;
+      !limits_angles(model) && touches_only_ground(model) && model.faces.empty() && !model.wind;
   return at_rest_in_it && pulled_along_it && nothing_round;
 }
 

@@ -100,7 +100,7 @@ std::size_t tangled_places(const Model& model, const State& state) {
   if (model.faces.empty()) return 0;
   const FaceMesh mesh(model);
   std::vector<Vec3> places;
-  mesh.places(state.position, places);
+  mesh.places(state.position, state.time, places);
   return find_tangles(mesh, whole_faces(mesh, model, state.broken_at), places,
                       std::numeric_limits<std::size_t>::max())
       .size();

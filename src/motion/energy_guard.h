@@ -27,14 +27,18 @@ class EnergyGuard {
  public:
   EnergyGuard(const Model& model, const State& start);
 
+  /// From now on masses are free that were pins; the work tells of the energy they bring.
+  void go_on_with(const Model& model);
+
   /// Whether a state, reached by a step of h seconds, has energy from nothing, after so much work.
   bool exceeded(const State& state, double h, const Work& work);
 
  private:
   double energy_of(const State& state) const;
+  void gather_springs_of(const Model& model);
   double swing(const State& state, double h);
 
-  const Model& model_;
+  const Model* model_;
   double mass_ = 0.0;                           // kg, of the free masses
   double energy_at_start_ = 0.0, scale_ = 0.0;  // J
   std::vector<Index> springs_;                  // links with stiffness that have a free end

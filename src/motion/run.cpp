@@ -63,7 +63,8 @@ Run::Run(const Model& model, const State& start, const Settings& settings, const
 
 Run::Run(const Model& model, const State& start, const Settings& settings, const RunState& saved,
          const RunPolicy& policy, const Execution& execution)
-    : model_(model),
+    : model_(&model),
+      execution_(execution),
       settings_(complete_settings(settings)),
       method_(willing_method(model, start, settings_)),
       policy_(policy),
@@ -78,6 +79,16 @@ Run::Run(const Model& model, const State& start, const Settings& settings, const
     guard_ = std::make_unique<EnergyGuard>(model, start);
   cuts_at_stops_ = policy.cut_at_stops && method_.can.tension_order >= 2 && method_.can.takes_steps_back;
   if (cuts_at_stops_) touched_ = touched_stops(model, saved.state);
+  // What has been changed already is in the state, but for the pins that have let go.
+  while (next_change() <= saved.state.time) {
+    const std::vector<Index> pins = model_->changes[changes_made_++].pins;
+    if (!pins.empty()) let_go_of(pins);
+  }
+  if (released_) {
+    stepper_ = method_.make(*model_, settings_, execution_);
+    ledger_ = WorkLedger(*model_, saved.state, saved.work);
+    if (guard_) guard_->go_on_with(*model_);
+  }
   stepper_->load(saved.state);
   stepper_->watch(ledger_.watched());
 }
@@ -97,25 +108,89 @@ double Run::step_time(std::int64_t step) const {
 bool Run::step() {
   if (ended()) return false;
   if (method_.can.chooses_steps) return own_step();
-  const double begin = step_time(report_.steps), h = 1.0 / steps_per_second_;
+  const double begin = step_time(report_.steps);
   cuts_left_ = most_cuts;
-  const StepReport step = guarded_step(h, step_time(report_.steps + 1), policy_.most_halvings);
+  const StepReport step = step_through_changes(begin, step_time(report_.steps + 1));
   report_.counts.add(step);
   if (step.halvings > 0) note_halving(begin, step);
   if (step.status != StepStatus::done) {
     report_.end = RunEnd::step_failed;
     return false;
   }
-  if (!model_.breakable_links.empty())
-    break_links(links_over_threshold(model_, method_.can, state()), report_.counts);
+  if (!model_->breakable_links.empty())
+    break_links(links_over_threshold(*model_, method_.can, state()), report_.counts);
   ++report_.steps;
   return report_.steps % steps_between_looks != 0 || holds_together();
 }
 
-// As long as the method has it, as far as the next break.
+double Run::next_change() const {
+  return changes_made_ < model_->changes.size() ? model_->changes[changes_made_].time : infinity;
+}
+
+// A whole step, or its parts between the changes in it.
+StepReport Run::step_through_changes(double begin, double end) {
+  const double h = 1.0 / steps_per_second_;
+  if (next_change() > end) return guarded_step(h, end, policy_.most_halvings);
+  StepReport report;
+  double from = begin;
+  const auto make = [&](double to) {
+    if (to - from > least_part * h) report.add(guarded_step(to - from, to, policy_.most_halvings));
+    from = to;
+    return report.status == StepStatus::done;
+  };
+  while (next_change() <= end) {
+    const double at = end - next_change() > least_part * h ? next_change() : end;
+    if (!make(at)) return report;
+    change(model_->changes[changes_made_++]);
+  }
+  make(end);
+  return report;
+}
+
+void Run::change(const Change& change) {
+  std::vector<Index> whole;
+  std::ranges::copy_if(change.links, std::back_inserter(whole),
+                       [&](Index link) { return !state().broken(link); });
+  const std::vector<Index> pins = change.pins;  // the model is about to be another one
+  break_links(whole, report_.counts);
+  if (!pins.empty()) release(pins);
+}
+
+// The model with masses that their pins have let go of.
+void Run::let_go_of(const std::vector<Index>& pins) {
+  auto next = std::make_unique<Model>(*model_);
+  for (const Index pin : pins) next->masses.inverse_mass[pin] = 1.0 / next->masses.mass[pin];
+  std::erase_if(next->driven_pins,
+                [&](const DrivenPin& driven) { return next->masses.inverse_mass[driven.mass] != 0.0; });
+  released_ = std::move(next);
+  model_ = released_.get();
+}
+
+// From now on another model is stepped. What the masses have that are free now, of energy that counts, was
+// given to the scene by their pins.
+void Run::release(const std::vector<Index>& pins) {
+  if (ledger_.keeps_anything()) ledger_.record(state());
+  State now = state();
+  break_at_once(*model_, now, {});
+  const double before = energy(*model_, now).total();
+  Work work = ledger_.work();
+  left_behind_ = std::move(stepper_);
+  left_model_ = std::move(released_);
+  left_at_ = now.time;
+  let_go_of(pins);
+  work.pins += energy(*model_, now).total() - before;
+  stepper_ = method_.make(*model_, settings_, execution_);
+  stepper_->load(now);
+  ledger_ = WorkLedger(*model_, now, work);
+  stepper_->watch(ledger_.watched());
+  if (guard_) guard_->go_on_with(*model_);
+  if (cuts_at_stops_) touched_ = touched_stops(*model_, now);
+}
+
+// As long as the method has it, as far as the next break or change.
 bool Run::own_step() {
-  const double begin = stepper_->glimpse().time;
-  const StepReport step = stepper_->step(infinity, infinity);
+  const double begin = stepper_->glimpse().time, longest = next_change() - begin;
+  const StepReport step = stepper_->step(longest, next_change());
   report_.counts.add(step);
   if (step.status != StepStatus::done) {
     report_.end = RunEnd::step_failed;
@@ -130,6 +205,7 @@ bool Run::own_step() {
   }
   const std::span<const Index> breaking = stepper_->breaking();
   break_links({breaking.begin(), breaking.end()}, report_.counts);
+  if (stepper_->glimpse().time >= next_change()) change(model_->changes[changes_made_++]);
   ++report_.steps;
   return report_.steps % steps_between_looks != 0 || holds_together();
 }
@@ -145,11 +221,11 @@ StepReport Run::guarded_step(double h, double end_time, int halvings) {
   }
   if (report.status == StepStatus::done) {
     // Where tension and positions are of second order, the moment of a break is, too.
-    if (method_.can.tension_order >= 2 && cuts_left_ > 0 && !model_.breakable_links.empty() &&
-        !links_over_threshold(model_, method_.can, state()).empty())
+    if (method_.can.tension_order >= 2 && cuts_left_ > 0 && !model_->breakable_links.empty() &&
+        !links_over_threshold(*model_, method_.can, state()).empty())
       return cut_step(h, end_time, halvings, report);
     if (cuts_at_stops_) {
-      const std::vector<bool> touched = touched_stops(model_, state());
+      const std::vector<bool> touched = touched_stops(*model_, state());
       if (cuts_left_ > 0 && meets_more(touched, touched_))
         return stopped_step(h, end_time, halvings, report, touched);
       touched_ = touched;
@@ -188,7 +264,7 @@ StepReport Run::cut_step(double h, double end_time, int halvings, StepReport rep
   stepper_->undo();
   const State start = stepper_->store();
   const WorkLedger ledger = ledger_;
-  const FirstBreak first = *first_break(model_, start, after);
+  const FirstBreak first = *first_break(*model_, start, after);
   const double share = first.share < least_part ? 0.0 : first.share > 1.0 - least_part ? 1.0 : first.share;
   const double part = share * h, rest = h - part;
   if (part > 0.0) report.add(stepper_->step(part, rest > 0.0 ? end_time - rest : end_time));
@@ -220,11 +296,11 @@ StepReport Run::stopped_step(double h, double end_time, int halvings, StepReport
   State last = start;
   double before = 0.0, behind = h;
   while (behind - before > nearest_to_stop * h) {
-    const double way = time_to_stop(model_, last, touched_);
+    const double way = time_to_stop(*model_, last, touched_);
     double part = before + cautious * way;
     if (!(part > before && part < behind)) part = 0.5 * (before + behind);
     if (way < nearest_to_stop * h || !make(part)) break;
-    if (meets_more(touched_stops(model_, state()), touched_)) {
+    if (meets_more(touched_stops(*model_, state()), touched_)) {
       behind = part;
     } else {
       before = part;
@@ -250,16 +326,16 @@ void Run::break_links(const std::vector<Index>& links, StepReport& report) {
   if (links.empty()) return;
   if (ledger_.keeps_anything()) ledger_.record(state());
   State broken = state();
-  break_at_once(model_, broken, links);
+  break_at_once(*model_, broken, links);
   report.breaks += static_cast<std::int64_t>(links.size());
   stepper_->load(broken);
   if (ledger_.keeps_anything()) ledger_.record(state());
 }
 
 double Run::energy_at_hand() const {
-  const double mass = free_mass(model_), pin = work().fastest_pin;
+  const double mass = free_mass(*model_), pin = work().fastest_pin;
   double energy = energy_base_.scale + mass * pin * pin + std::max(0.0, work().loads);
-  if (model_.wind) energy += mass * wind_at(*model_.wind, state().time).squaredNorm();
+  if (model_->wind) energy += mass * wind_at(*model_->wind, state().time).squaredNorm();
   return energy;
 }
 
@@ -267,7 +343,7 @@ double Run::energy_at_hand() const {
 // a few passes leave stretched hold a lot of elastic energy while nothing is amiss.
 bool Run::holds_together() {
   const double at_hand = energy_at_hand();
-  if (at_hand > 0.0 && energy(model_, state()).kinetic > policy_.diverged_beyond * at_hand)
+  if (at_hand > 0.0 && energy(*model_, state()).kinetic > policy_.diverged_beyond * at_hand)
     report_.end = RunEnd::diverged;
   return !ended();
 }
@@ -281,10 +357,11 @@ std::optional<State> Run::at(double time, const StopTest& stop) {
   }
   if (!holds_together()) return std::nullopt;
   if (state().time == time) return state();
-  if (method_.can.chooses_steps) return stepper_->between(time);
+  if (method_.can.chooses_steps)
+    return (left_behind_ && time < left_at_ ? left_behind_ : stepper_)->between(time);
   // Between steps faces are known not to go through each other on the straight line.
   return interpolate(*before_, state(), time,
-                     model_.faces.empty() ? method_.can.between_steps : Interpolation::linear);
+                     model_->faces.empty() ? method_.can.between_steps : Interpolation::linear);
 }
 
 // A method that chooses its steps doesn't say how far the next one will go: every step but the last is kept.
@@ -306,10 +383,10 @@ std::string Run::failure() const {
         "the run with method {} {} diverges: at t = {:.6g} s its masses move with {:.3g} times the scene's "
         "energy",
         settings_.method, pace_text(settings_), state().time,
-        energy(model_, state()).kinetic / energy_at_hand());
+        energy(*model_, state()).kinetic / energy_at_hand());
   std::string where;
   if (const Index link = report_.counts.worst_link; link != no_link)
-    where = " at the link " + link_name(model_, link);
+    where = " at the link " + link_name(*model_, link);
   const bool halved = policy_.most_halvings > 0 && method_.can.takes_steps_back;
   const std::string length =
       method_.can.chooses_steps ? "" : fmt::format(" by {:.3g} s", 1.0 / steps_per_second_);
@@ -319,11 +396,11 @@ std::string Run::failure() const {
 }
 
 State Run::reported(const State& state) const {
-  return reported_state(model_, method_.can, state);
+  return reported_state(*model_, method_.can, state);
 }
 
 RunMeasures Run::measures(const State& state) const {
-  return measure_run(model_, energy_base_, reported(state), work(), report_);
+  return measure_run(*model_, energy_base_, reported(state), work(), report_);
 }
 
 RunState Run::save() const {

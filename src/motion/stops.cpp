@@ -13,7 +13,7 @@ constexpr double touching = 1e-9;  // rad
 template <class Visit>
 void visit_stops(const Model& model, const State& state, const Visit& visit) {
   for (std::size_t i = 0; i < model.limits.size(); ++i) {
-    if (model.limits[i].compliance > 0.0) continue;
+    if (model.limits[i].compliance > 0.0 || let_go(model.limits[i], state)) continue;
     const double angle = limit_angle(model.limits[i], state.position);
     for (const double sign : {1.0, -1.0})
       if (has_stop(model.limits[i], sign))

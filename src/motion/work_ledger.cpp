@@ -9,7 +9,7 @@ WorkLedger::WorkLedger(const Model& model, const State& state, const Work& befor
     : model_(&model), work_(before) {
   std::vector<bool> driven(model.masses.size(), false);
   for (const DrivenPin& pin : model.driven_pins) driven[pin.mass] = true;
-  for (const Index link : solvable_links(model)) {
+  for (const Index link : links_with_a_free_end(model)) {
     const Index a = model.links.a[link], b = model.links.b[link];
     if (driven[a] || driven[b])
       pin_links_.push_back({link, driven[a] ? a : b, driven[a] ? b : a, Vec3::Zero()});
@@ -62,7 +62,7 @@ Work WorkLedger::until(const State& state) const {
   for (std::size_t i = 0; i < was_broken_.size(); ++i) {
     const Index link = model_->breakable_links[i];
     if (was_broken_[i] || !state.broken(link) || model_->links.rigid(link)) continue;
-    const double stretch = link_distance(*model_, state.position, link) - model_->links.length[link];
+    const double stretch = model_->links.stretch(link, link_distance(*model_, state.position, link));
     add(work.broken, 0.5 * model_->links.stiffness[link] * stretch * stretch);
   }
   return work;

@@ -49,7 +49,7 @@ std::string link_table_rows(const Model& model, const State& state, int frame, b
       continue;
     }
     const double length = link_distance(model, state.position, i);
-    fmt::format_to(std::back_inserter(rows), "{},{},{},\n", length, length / model.links.length[i] - 1.0,
+    fmt::format_to(std::back_inserter(rows), "{},{},{},\n", length, model.links.strain(i, length),
                    tension_known ? fmt::format("{}", state.tension[i]) : "");
   }
   return rows;

@@ -193,6 +193,10 @@ struct Words<ColourSteps> {
   static constexpr std::array<std::string_view, 2> list{"linear", "log"};
 };
 template <>
+struct Words<LinkAction> {
+  static constexpr std::array<std::string_view, 4> list{"both", "pull", "push", "between"};
+};
+template <>
 struct Words<MassShape> {
   static constexpr std::array<std::string_view, 2> list{"sphere", "box"};
 };

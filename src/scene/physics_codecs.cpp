@@ -16,17 +16,17 @@ struct WrittenMotion {
   std::optional<Vec3> amplitude;
   std::optional<double> angular_frequency, phase;
   std::optional<std::vector<Knot>> path;
+  std::optional<std::string> with;
 };
 
 const Keys<WrittenMotion>& motion_keys() {
   static const Keys<WrittenMotion> keys{
-      key<WrittenMotion>(
-          "amplitude", &WrittenMotion::amplitude,
-          {.unit = "m",
-           .range = between(-far, far),
-           .fallback = "none",
-           .help = "the pin is at its place at the start + amplitude · sin(angular_frequency · "
-                   "t + phase)"}),
+      key<WrittenMotion>("amplitude", &WrittenMotion::amplitude,
+                         {.unit = "m",
+                          .range = between(-far, far),
+                          .fallback = "none",
+                          .help = "it is at its place at the start + amplitude · sin(angular_frequency · "
+                                  "t + phase)"}),
       key<WrittenMotion>(
           "angular_frequency", &WrittenMotion::angular_frequency,
           {.unit = "rad/s", .range = between(-far, far), .fallback = "none", .help = "see amplitude"}),
@@ -37,8 +37,78 @@ const Keys<WrittenMotion>& motion_keys() {
                          {.unit = "s, m, m, m",
                           .range = between(-far, far),
                           .fallback = "none",
-                          .help = "in place of the others: where the pin is at which times, "
+                          .help = "in place of the others: where it is at which times, "
                                   "in order; between them a smooth curve that starts and ends at rest"}),
+      key<WrittenMotion>("with", &WrittenMotion::with,
+                         {.fallback = "none",
+                          .help = "in place of the others, for pins: the name of a solid that carries it, "
+                                  "as a drum does the end of its rope"}),
+  };
+  return keys;
+}
+
+const Keys<RotationSpec>& rotation_keys() {
+  static const Keys<RotationSpec> keys{
+      key<RotationSpec>(
+          "axis", &RotationSpec::axis,
+          {.range = between(-far, far), .required = true, .help = "of any length but 0; right-handed"}),
+      key<RotationSpec>("through", &RotationSpec::through,
+                        {.unit = "m",
+                         .range = between(-far, far),
+                         .fallback = "its centre",
+                         .help = "a point that the axis goes through, where the solid is at the start"}),
+      key<RotationSpec>("rate", &RotationSpec::rate,
+                        {.unit = "degrees/s",
+                         .range = between(-1e6, 1e6),
+                         .fallback = "none",
+                         .help = "at which it turns"}),
+      key<RotationSpec>(
+          "rise", &RotationSpec::rise,
+          {.unit = "s", .range = between(0, far), .help = "in which the rate is reached, smoothly"}),
+      key<RotationSpec>("angle", &RotationSpec::angle,
+                        {.unit = "s, degrees",
+                         .range = between(-far, far),
+                         .help = "in place of a rate: [time, how far it is turned then], in order; between "
+                                 "them a smooth curve that starts and ends at rest"}),
+  };
+  return keys;
+}
+
+template <class Spec>
+Key<Spec> from_start_key() {
+  return key<Spec>("from_start", &Spec::from_start,
+                   {.help = "whether it rests as it is bent at the start; else straight"});
+}
+
+const Keys<BendingSpec>& bending_keys() {
+  static const Keys<BendingSpec> keys{
+      key<BendingSpec>("stiffness", &BendingSpec::stiffness,
+                       {.unit = "N m/rad",
+                        .range = between(0, 1e12),
+                        .required = true,
+                        .help = "of each inner mass; a rod of EI in N m² has EI over the length of a link"}),
+      from_start_key<BendingSpec>(),
+  };
+  return keys;
+}
+
+const Keys<SheetBendingSpec>& sheet_bending_keys() {
+  static const Keys<SheetBendingSpec> keys{
+      key<SheetBendingSpec>(
+          "stiffness", &SheetBendingSpec::stiffness,
+          {.unit = "N m/rad",
+           .range = between(0, 1e12),
+           .help = "of each inner mass along its row and along its column; cloth of D in N m has "
+                   "D times the width that a mass stands for over the length of a link"}),
+      key<SheetBendingSpec>(
+          "warp", &SheetBendingSpec::warp,
+          {.unit = "N m/rad", .range = between(0, 1e12), .fallback = "stiffness", .help = "along columns"}),
+      key<SheetBendingSpec>(
+          "weft", &SheetBendingSpec::weft,
+          {.unit = "N m/rad", .range = between(0, 1e12), .fallback = "stiffness", .help = "along rows"}),
+      key<SheetBendingSpec>("bias", &SheetBendingSpec::bias,
+                            {.unit = "N m/rad", .range = between(0, 1e12), .help = "along both diagonals"}),
+      from_start_key<SheetBendingSpec>(),
   };
   return keys;
 }
@@ -78,11 +148,12 @@ const Keys<FacesSpec>& faces_keys() {
 // A sinusoid needs both its size and its speed, a path at least one place; one of the two it must be.
 std::string motion_problem(const WrittenMotion& written) {
   const bool swings = written.amplitude || written.angular_frequency || written.phase;
-  if (swings == written.path.has_value())
-    return "needs either \"amplitude\" and \"angular_frequency\", or \"path\"";
+  if (swings + written.path.has_value() + written.with.has_value() != 1)
+    return "needs either \"amplitude\" and \"angular_frequency\", or \"path\", or \"with\"";
+  if (written.with && written.with->empty()) return "needs the name of a solid in \"with\"";
   if (swings && !written.amplitude) return "needs the key \"amplitude\"";
   if (swings && !written.angular_frequency) return "needs the key \"angular_frequency\"";
-  if (!swings && written.path->empty()) return "needs a path of at least one place";
+  if (written.path && written.path->empty()) return "needs a path of at least one place";
   return {};
 }
 
@@ -104,6 +175,8 @@ bool Codec<MotionSpec>::read(const Node& node, const KeyInfo& info, MotionSpec& 
   }
   if (written.path)
     out.path = *written.path;
+  else if (written.with)
+    out.with = *written.with;
   else
     out.sinusoid = SinusoidSpec{*written.amplitude, *written.angular_frequency, written.phase.value_or(0.0)};
   return true;
@@ -117,10 +190,52 @@ std::string Codec<MotionSpec>::write(const MotionSpec& value) {
     written.phase = value.sinusoid->phase;
   } else if (!value.path.empty()) {
     written.path = value.path;
+  } else if (!value.with.empty()) {
+    written.with = value.with;
   } else {
     return {};
   }
   return write_inline(motion_keys(), written);
+}
+
+std::vector<KeyInfo> Codec<std::optional<RotationSpec>>::inner() {
+  return infos(rotation_keys());
+}
+
+bool Codec<std::optional<RotationSpec>>::read(const Node& node, const KeyInfo& info,
+                                              std::optional<RotationSpec>& out, Reader& reader) {
+  return read_table(node, rotation_keys(), in_quotes(info.name), TableKind::value, out.emplace(), reader);
+}
+
+std::string Codec<std::optional<RotationSpec>>::write(const std::optional<RotationSpec>& value) {
+  return value ? write_inline(rotation_keys(), *value) : "";
+}
+
+std::vector<KeyInfo> Codec<std::optional<BendingSpec>>::inner() {
+  return infos(bending_keys());
+}
+
+bool Codec<std::optional<BendingSpec>>::read(const Node& node, const KeyInfo& info,
+                                             std::optional<BendingSpec>& out, Reader& reader) {
+  return read_table(node, bending_keys(), in_quotes(info.name), TableKind::value, out.emplace(), reader);
+}
+
+std::string Codec<std::optional<BendingSpec>>::write(const std::optional<BendingSpec>& value) {
+  return value ? write_inline(bending_keys(), *value) : "";
+}
+
+std::vector<KeyInfo> Codec<std::optional<SheetBendingSpec>>::inner() {
+  return infos(sheet_bending_keys());
+}
+
+bool Codec<std::optional<SheetBendingSpec>>::read(const Node& node, const KeyInfo& info,
+                                                  std::optional<SheetBendingSpec>& out, Reader& reader) {
+  return read_table(node, sheet_bending_keys(), in_quotes(info.name), TableKind::value, out.emplace(),
+                    reader);
+}
+
+std::string Codec<std::optional<SheetBendingSpec>>::write(const std::optional<SheetBendingSpec>& value) {
+  return value ? write_inline(sheet_bending_keys(), *value) : "";
 }
 
 std::vector<KeyInfo> Codec<HookSpec>::inner() {

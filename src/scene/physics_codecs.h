@@ -13,6 +13,15 @@ inline constexpr double far = 1e6;
 template <class T, class Access>
 Keys<T> link_property_keys(Access access) {
   return {
+      key<T>("acts", [access](auto& t) -> auto& { return std::invoke(access, t).acts; },
+             {.help = "both: a link pulls when it is longer than its length and pushes when it is shorter; "
+                      "pull: a rope, slack when it is shorter; push: a buffer, free when it is longer; "
+                      "between: free from its length up to its longest"}),
+      key<T>("longest", [access](auto& t) -> auto& { return std::invoke(access, t).longest; },
+             {.unit = "× length",
+              .range = above_to(1, 1e6),
+              .fallback = "none",
+              .help = "at which a link that acts between begins to pull"}),
       key<T>("stiffness", [access](auto& t) -> auto& { return std::invoke(access, t).stiffness; },
              {.unit = "N/m",
               .range = above_to(0, 1e15),
@@ -32,6 +41,16 @@ Keys<T> link_property_keys(Access access) {
               .range = above_to(0, 1e15),
               .fallback = "never",
               .help = "a link that pulls harder than this breaks"}),
+      key<T>("break_at", [access](auto& t) -> auto& { return std::invoke(access, t).break_at; },
+             {.unit = "s",
+              .range = above_to(0, far),
+              .fallback = "never",
+              .help = "when a link breaks, whatever it bears"}),
+      key<T>("scatter", [access](auto& t) -> auto& { return std::invoke(access, t).scatter; },
+             {.range = between(0, 0.999999),
+              .help = "share up to which links bear more or less than their thresholds, each its own"}),
+      key<T>("scatter_seed", [access](auto& t) -> auto& { return std::invoke(access, t).scatter_seed; },
+             {.range = between(0, 1e9), .help = "which of them more, and which less"}),
   };
 }
 
@@ -42,6 +61,15 @@ struct Codec<MotionSpec> {
   static std::vector<KeyInfo> inner();
   static bool read(const Node& node, const KeyInfo& info, MotionSpec& out, Reader& reader);
   static std::string write(const MotionSpec& value);
+};
+
+/// How a solid turns: at a rate, or through angles.
+template <>
+struct Codec<std::optional<RotationSpec>> {
+  static std::string type() { return "a table"; }
+  static std::vector<KeyInfo> inner();
+  static bool read(const Node& node, const KeyInfo& info, std::optional<RotationSpec>& out, Reader& reader);
+  static std::string write(const std::optional<RotationSpec>& value);
 };
 
 template <>
@@ -59,6 +87,23 @@ struct Codec<std::optional<FacesSpec>> {
   static std::vector<KeyInfo> inner();
   static bool read(const Node& node, const KeyInfo& info, std::optional<FacesSpec>& out, Reader& reader);
   static std::string write(const std::optional<FacesSpec>& value);
+};
+
+template <>
+struct Codec<std::optional<BendingSpec>> {
+  static std::string type() { return "a table"; }
+  static std::vector<KeyInfo> inner();
+  static bool read(const Node& node, const KeyInfo& info, std::optional<BendingSpec>& out, Reader& reader);
+  static std::string write(const std::optional<BendingSpec>& value);
+};
+
+template <>
+struct Codec<std::optional<SheetBendingSpec>> {
+  static std::string type() { return "a table"; }
+  static std::vector<KeyInfo> inner();
+  static bool read(const Node& node, const KeyInfo& info, std::optional<SheetBendingSpec>& out,
+                   Reader& reader);
+  static std::string write(const std::optional<SheetBendingSpec>& value);
 };
 
 /// One more family of links: not there, there and rigid (true), or there with properties of its own.

@@ -8,6 +8,13 @@ constexpr std::array<std::string_view, 2> chain_ends{"first", "last"};
 constexpr std::array<std::string_view, 8> sheet_edges{"top",      "bottom",    "left",        "right",
                                                       "top-left", "top-right", "bottom-left", "bottom-right"};
 
+constexpr Facts release_facts() {
+  return {.unit = "s",
+          .range = above_to(0, far),
+          .fallback = "never",
+          .help = "when what is pinned is let go of"};
+}
+
 Keys<ChainSpec> chain_keys() {
   return Keys<ChainSpec>{
              key<ChainSpec>("name", &ChainSpec::name, named("its masses are named name.0, name.1, …")),
@@ -36,6 +43,12 @@ Keys<ChainSpec> chain_keys() {
              key<ChainSpec>("last_motion", &ChainSpec::last_motion,
                             {.fallback = "stays", .help = "how the last mass is moved, where it is pinned"}),
          } +
+         Keys<ChainSpec>{
+             key<ChainSpec>("first_release", &ChainSpec::first_release, release_facts()),
+             key<ChainSpec>("last_release", &ChainSpec::last_release, release_facts()),
+             key<ChainSpec>("bending", &ChainSpec::bending,
+                            {.fallback = "none", .help = "how it resists being bent"}),
+         } +
          contact_keys<ChainSpec>() + link_property_keys<ChainSpec>(&ChainSpec::properties);
 }
 
@@ -60,9 +73,16 @@ Keys<SheetSpec> sheet_keys() {
                             {.help = "pins at every n-th mass of the top edge, as of a curtain on its rail"}),
              key<SheetSpec>("pinned", &SheetSpec::pinned,
                             {.choices = sheet_edges, .help = "the edges and corners that are held"}),
+             key<SheetSpec>("release", &SheetSpec::release, release_facts()),
+             key<SheetSpec>("bending", &SheetSpec::bending,
+                            {.fallback = "none", .help = "how it resists being bent"}),
          } +
          contact_keys<SheetSpec>() + link_property_keys<SheetSpec>(&SheetSpec::properties) +
          Keys<SheetSpec>{
+             key<SheetSpec>(
+                 "weft", &SheetSpec::weft,
+                 {.help = "links along rows with properties of their own, in place of those of the "
+                          "sheet; true: rigid ones"}),
              key<SheetSpec>("diagonals", &SheetSpec::diagonals,
                             {.help = "links along both diagonals of every cell; true: rigid ones"}),
              key<SheetSpec>(
@@ -91,6 +111,7 @@ Keys<MassSpec> mass_keys() {
              key<MassSpec>("pinned", &MassSpec::pinned, {.help = "whether it is held"}),
              key<MassSpec>("motion", &MassSpec::motion,
                            {.fallback = "stays", .help = "how it is moved, where it is pinned"}),
+             key<MassSpec>("release", &MassSpec::release, release_facts()),
          } +
          contact_keys<MassSpec>();
 }
@@ -119,6 +140,48 @@ Keys<LoadSpec> load_keys() {
                     {.unit = "s", .range = between(0, far), .help = "when it starts to grow, linearly"}),
       key<LoadSpec>("to", &LoadSpec::to,
                     {.unit = "s", .range = between(0, far), .help = "when it is there in full, to stay"}),
+      key<LoadSpec>(
+          "until", &LoadSpec::until,
+          {.unit = "s", .range = between(0, far), .fallback = "for ever", .help = "until when it stays"}),
+      key<LoadSpec>("gone", &LoadSpec::gone,
+                    {.unit = "s",
+                     .range = between(0, far),
+                     .fallback = "until",
+                     .help = "when it has fallen away, linearly"}),
+  };
+}
+
+Keys<SeamSpec> seam_keys() {
+  return {
+      key<SeamSpec>("sheet", &SeamSpec::sheet, {.help = "the name of the sheet that it lies in"}),
+      key<SeamSpec>("row", &SeamSpec::row,
+                    {.range = between(0, 1e8),
+                     .fallback = "none",
+                     .help = "it lies between this row of the sheet and the next"}),
+      key<SeamSpec>("column", &SeamSpec::column,
+                    {.range = between(0, 1e8),
+                     .fallback = "none",
+                     .help = "it lies between this column of the sheet and the next"}),
+      key<SeamSpec>("a", &SeamSpec::a,
+                    {.help = "in place of a sheet: names, whose parts may be *, of masses on its one side"}),
+      key<SeamSpec>("b", &SeamSpec::b,
+                    {.help = "and on its other: every link between the two belongs to it"}),
+      key<SeamSpec>(
+          "strength", &SeamSpec::strength,
+          {.range = above_to(0, 1e6), .fallback = "1", .help = "share of what its links bear otherwise"}),
+      key<SeamSpec>("break_stretch", &SeamSpec::break_stretch,
+                    {.unit = "× length",
+                     .range = above_to(1, 1e6),
+                     .fallback = "that of the links",
+                     .help = "a longer link of it breaks"}),
+      key<SeamSpec>("break_tension", &SeamSpec::break_tension,
+                    {.unit = "N",
+                     .range = above_to(0, 1e15),
+                     .fallback = "that of the links",
+                     .help = "a link of it that pulls harder breaks"}),
+      key<SeamSpec>(
+          "break_at", &SeamSpec::break_at,
+          {.unit = "s", .range = above_to(0, far), .fallback = "never", .help = "when it opens as a whole"}),
   };
 }
 
@@ -136,6 +199,8 @@ std::vector<Section> physics_sections() {
                                  description_of(&Description::links)),
       repeated_section<LoadSpec>("load", "A force that grows linearly.", load_keys(),
                                  description_of(&Description::loads)),
+      repeated_section<SeamSpec>("seam", "Where a net gives way: links that bear less, or break at a time.",
+                                 seam_keys(), description_of(&Description::seams)),
   };
 }
 

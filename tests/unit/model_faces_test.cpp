@@ -223,7 +223,7 @@ TEST(FacePairs, AreAllThatAreNear) {
   const FaceMesh mesh(built.model);
   const WholeFaces whole = whole_faces(mesh, built.model, built.start.broken_at);
   std::vector<Vec3> places;
-  mesh.places(built.start.position, places);
+  mesh.places(built.start.position, 0.0, places);
   for (std::size_t node = 0; node < mesh.mass.size(); ++node) places[node] += random_place(random, 0.4);
   std::vector<FacePair> pairs, roomy;
   find_face_pairs(mesh, whole, places, std::vector<double>(mesh.size(), 0.0), 1'000'000, pairs);

@@ -184,7 +184,7 @@ std::vector<Mistake> mistakes_of_motions_and_hooks() {
        "chain", "last_motion", "only for a pinned"},
       {"path_and_sinusoid",
        [](D& d) {
-         d.masses[0].motion = {SinusoidSpec{}, {{0.0, {0, 0, 0}}}};
+         d.masses[0].motion = {SinusoidSpec{}, {{0.0, {0, 0, 0}}}, {}};
        },
        "mass", "motion", "only one of them"},
       {"frequency",

@@ -137,10 +137,11 @@ TEST(SceneErrors, Colours) {
 
 TEST(SceneErrors, Motions) {
   const std::string needs = "\"first_motion\" needs ";
-  EXPECT_EQ(errors_of(chain_with("pinned = [\"first\"]\nfirst_motion = {}\n")),
-            "f.toml:6:16: " + needs +
-                "either \"amplitude\" and \"angular_frequency\", or \"path\"\n    first_motion = {}\n"
-                "                   ^");
+  EXPECT_EQ(
+      errors_of(chain_with("pinned = [\"first\"]\nfirst_motion = {}\n")),
+      "f.toml:6:16: " + needs +
+          "either \"amplitude\" and \"angular_frequency\", or \"path\", or \"with\"\n    first_motion = {}\n"
+          "                   ^");
   const auto with_motion = [](const std::string& motion) {
     const std::string errors = errors_of(chain_with("pinned = [\"first\"]\nfirst_motion = " + motion));
     return errors.substr(0, errors.find('\n'));
@@ -148,8 +149,9 @@ TEST(SceneErrors, Motions) {
   EXPECT_EQ(with_motion("{ phase = 1, amplitude = [0, 0, 0] }"),
             "f.toml:6:16: " + needs + "the key \"angular_frequency\"");
   EXPECT_EQ(with_motion("{ angular_frequency = 1 }"), "f.toml:6:16: " + needs + "the key \"amplitude\"");
-  EXPECT_EQ(with_motion("{ phase = 1, path = [[0, 0, 0, 0]] }"),
-            "f.toml:6:16: " + needs + "either \"amplitude\" and \"angular_frequency\", or \"path\"");
+  EXPECT_EQ(
+      with_motion("{ phase = 1, path = [[0, 0, 0, 0]] }"),
+      "f.toml:6:16: " + needs + "either \"amplitude\" and \"angular_frequency\", or \"path\", or \"with\"");
   EXPECT_EQ(with_motion("{ path = [] }"), "f.toml:6:16: " + needs + "a path of at least one place");
   EXPECT_EQ(with_motion("{ path = [[0, 0, 0]] }"),
             "f.toml:6:26: \"path\" must be a list of [t, x, y, z] in s, m, m, m, not a list of 3");

@@ -31,75 +31,49 @@ std::set<std::string> keys_of(const std::string& heading) {
 
 using Names = std::set<std::string>;
 
+Names operator+(Names all, const Names& more) {
+  all.insert(more.begin(), more.end());
+  return all;
+}
+
+// Keys within another one.
+Names within(const std::string& key, const Names& inner) {
+  Names names{key};
+  for (const std::string& name : inner) names.insert(key + "." + name);
+  return names;
+}
+
+const Names links{"acts",          "longest",  "stiffness", "damping",     "break_stretch",
+                  "break_tension", "break_at", "scatter",   "scatter_seed"};
+const Names motion{"amplitude", "angular_frequency", "phase", "path", "with"};
+const Names solid = Names{"name", "friction", "restitution"} + within("motion", motion) +
+                    within("rotation", {"axis", "through", "rate", "rise", "angle"});
+
 TEST(KeyReference, ListsEveryKeyOfEverySection) {
   EXPECT_EQ(keys_of("Top level"), (Names{"title"}));
   EXPECT_EQ(keys_of("`[world]`"), (Names{"gravity", "duration", "drag", "accuracy"}));
-  EXPECT_EQ(keys_of("`[[chain]]`"), (Names{"name",
-                                           "from",
-                                           "to",
-                                           "links",
-                                           "length",
-                                           "mass",
-                                           "last_mass",
-                                           "radius",
-                                           "collides",
-                                           "pinned",
-                                           "first_motion",
-                                           "first_motion.amplitude",
-                                           "first_motion.angular_frequency",
-                                           "first_motion.phase",
-                                           "first_motion.path",
-                                           "last_motion",
-                                           "last_motion.amplitude",
-                                           "last_motion.angular_frequency",
-                                           "last_motion.phase",
-                                           "last_motion.path",
-                                           "stiffness",
-                                           "damping",
-                                           "break_stretch",
-                                           "break_tension"}));
-  EXPECT_EQ(keys_of("`[[sheet]]`"), (Names{"name",
-                                           "rows",
-                                           "columns",
-                                           "from",
-                                           "to",
-                                           "down",
-                                           "mass",
-                                           "fullness",
-                                           "radius",
-                                           "collides",
-                                           "hooks",
-                                           "hooks.every",
-                                           "hooks.draw",
-                                           "pinned",
-                                           "stiffness",
-                                           "damping",
-                                           "break_stretch",
-                                           "break_tension",
-                                           "diagonals",
-                                           "diagonals.stiffness",
-                                           "diagonals.damping",
-                                           "diagonals.break_stretch",
-                                           "diagonals.break_tension",
-                                           "skip_one",
-                                           "skip_one.stiffness",
-                                           "skip_one.damping",
-                                           "skip_one.break_stretch",
-                                           "skip_one.break_tension",
-                                           "faces",
-                                           "faces.thickness",
-                                           "faces.friction",
-                                           "faces.self_collides"}));
+  EXPECT_EQ(keys_of("`[[chain]]`"), (Names{"name", "from", "to", "links", "length", "mass", "last_mass",
+                                           "radius", "collides", "pinned", "first_release", "last_release"} +
+                                     within("first_motion", motion) + within("last_motion", motion) +
+                                     within("bending", {"stiffness", "from_start"}) + links));
+  EXPECT_EQ(keys_of("`[[sheet]]`"),
+            (Names{"name", "rows", "columns", "from", "to", "down", "mass", "fullness", "radius", "collides",
+                   "pinned", "release"} +
+             within("hooks", {"every", "draw"}) +
+             within("bending", {"stiffness", "warp", "weft", "bias", "from_start"}) + links +
+             within("weft", links) + within("diagonals", links) + within("skip_one", links) +
+             within("faces", {"thickness", "friction", "self_collides"})));
   EXPECT_EQ(keys_of("`[[mass]]`"),
-            (Names{"name", "position", "velocity", "mass", "pinned", "motion", "motion.amplitude",
-                   "motion.angular_frequency", "motion.phase", "motion.path", "radius", "collides"}));
-  EXPECT_EQ(keys_of("`[[link]]`"),
-            (Names{"a", "b", "length", "stiffness", "damping", "break_stretch", "break_tension"}));
-  EXPECT_EQ(keys_of("`[[load]]`"), (Names{"masses", "force", "from", "to"}));
-  EXPECT_EQ(keys_of("`[[plane]]`"), (Names{"point", "normal", "friction", "restitution"}));
-  EXPECT_EQ(keys_of("`[[sphere]]`"), (Names{"centre", "radius", "friction", "restitution"}));
-  EXPECT_EQ(keys_of("`[[capsule]]`"), (Names{"from", "to", "radius", "friction", "restitution"}));
-  EXPECT_EQ(keys_of("`[[box]]`"), (Names{"centre", "size", "turn", "friction", "restitution"}));
+            (Names{"name", "position", "velocity", "mass", "pinned", "release", "radius", "collides"} +
+             within("motion", motion)));
+  EXPECT_EQ(keys_of("`[[link]]`"), (Names{"a", "b", "length"} + links));
+  EXPECT_EQ(keys_of("`[[load]]`"), (Names{"masses", "force", "from", "to", "until", "gone"}));
+  EXPECT_EQ(keys_of("`[[seam]]`"), (Names{"sheet", "row", "column", "a", "b", "strength", "break_stretch",
+                                          "break_tension", "break_at"}));
+  EXPECT_EQ(keys_of("`[[plane]]`"), (Names{"point", "normal"} + solid));
+  EXPECT_EQ(keys_of("`[[sphere]]`"), (Names{"centre", "radius"} + solid));
+  EXPECT_EQ(keys_of("`[[capsule]]`"), (Names{"from", "to", "radius"} + solid));
+  EXPECT_EQ(keys_of("`[[box]]`"), (Names{"centre", "size", "turn"} + solid));
   EXPECT_EQ(keys_of("`[wind]`"),
             (Names{"velocity", "gust", "gust_time", "seed", "density", "drag_coefficient"}));
   EXPECT_EQ(keys_of("`[[angle]]`"), (Names{"masses", "min", "max", "compliance"}));

@@ -339,12 +339,20 @@ TEST(ResolvedToml, FillsInDefaultsAndSaysWhatLeftOutKeysMean) {
                           "pinned = []\n"
                           "# first_motion: stays\n"
                           "# last_motion: stays\n"
+                          "# first_release: never\n"
+                          "# last_release: never\n"
+                          "# bending: none\n"
                           "radius = 0.0\n"
                           "collides = false\n"
+                          "acts = \"both\"\n"
+                          "# longest: none\n"
                           "# stiffness: rigid\n"
                           "damping = 0.0\n"
                           "# break_stretch: never\n"
-                          "# break_tension: never\n"),
+                          "# break_tension: never\n"
+                          "# break_at: never\n"
+                          "scatter = 0.0\n"
+                          "scatter_seed = 1\n"),
             std::string::npos)
       << resolved;
 }

@@ -2,11 +2,18 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace taut {
 namespace {
 
 constexpr std::uint32_t most_in_leaf = 4;
+
+std::vector<std::uint32_t> all_of_them(std::size_t count) {
+  std::vector<std::uint32_t> all(count);
+  std::iota(all.begin(), all.end(), 0U);
+  return all;
+}
 
 }  // namespace
 
@@ -26,11 +33,14 @@ ColliderTree::Box ColliderTree::box_around(const Shape& shape) {
   return {around.low - slack, around.high + slack};
 }
 
-ColliderTree::ColliderTree(const std::vector<Collider>& colliders) {
-  boxes_.reserve(colliders.size());
-  for (std::uint32_t i = 0; i < colliders.size(); ++i) {
-    boxes_.push_back(box_around(colliders[i].shape));
-    (std::holds_alternative<HalfSpace>(colliders[i].shape) ? everywhere_ : order_).push_back(i);
+ColliderTree::ColliderTree(const std::vector<Shape>& shapes)
+    : ColliderTree(shapes, all_of_them(shapes.size())) {}
+
+ColliderTree::ColliderTree(const std::vector<Shape>& shapes, const std::vector<std::uint32_t>& some)
+    : boxes_(shapes.size()) {
+  for (const std::uint32_t i : some) {
+    boxes_[i] = box_around(shapes[i]);
+    (std::holds_alternative<HalfSpace>(shapes[i]) ? everywhere_ : order_).push_back(i);
   }
   if (order_.empty()) return;
   nodes_.emplace_back();
@@ -64,7 +74,7 @@ void ColliderTree::divide(std::uint32_t node, std::uint32_t begin, std::uint32_t
 }
 
 void ColliderTree::find(const Vec3& place, double reach, std::vector<std::uint32_t>& near) const {
-  near = everywhere_;
+  near.insert(near.end(), everywhere_.begin(), everywhere_.end());
   const Vec3 around = Vec3::Constant(reach);
   const auto meets = [&](const Box& box) {
     return ((place + around).array() >= box.low.array()).all() &&
@@ -84,7 +94,6 @@ void ColliderTree::find(const Vec3& place, double reach, std::vector<std::uint32
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
       if (meets(boxes_[order_[i]])) near.push_back(order_[i]);
   }
-  std::sort(near.begin(), near.end());
 }
 
 }  // namespace taut

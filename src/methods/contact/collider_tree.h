@@ -11,10 +11,12 @@ namespace taut {
 /// median. Half-spaces have no box and are near everywhere.
 class ColliderTree {
  public:
-  explicit ColliderTree(const std::vector<Collider>& colliders);
+  explicit ColliderTree(const std::vector<Shape>& shapes);
 
-  /// Writes the solids whose surfaces may be nearer to a place than `reach` (m), rising: all that are, and
-  /// few others.
+  /// Of some of the shapes alone.
+  ColliderTree(const std::vector<Shape>& shapes, const std::vector<std::uint32_t>& some);
+
+  /// Adds the solids whose surfaces may be nearer to a place than `reach` (m): all that are, and few others.
   void find(const Vec3& place, double reach, std::vector<std::uint32_t>& near) const;
 
  private:

@@ -1,14 +1,34 @@
 #include "contact/contact_solver.h"
 
+#include <algorithm>
+
 namespace taut {
 namespace {
 
 constexpr double reach_ahead = 0.02;  // m, that links may push something within a step
 
+std::vector<Shape> shapes_of(const Model& model) {
+  std::vector<Shape> shapes;
+  for (const Collider& collider : model.colliders) shapes.push_back(collider.shape);
+  return shapes;
+}
+
+std::vector<std::uint32_t> solids_that(bool move, const Model& model) {
+  std::vector<std::uint32_t> solids;
+  for (std::uint32_t i = 0; i < model.colliders.size(); ++i)
+    if (model.colliders[i].motion.has_value() == move) solids.push_back(i);
+  return solids;
+}
+
 }  // namespace
 
 ContactSolver::ContactSolver(const Model& model)
-    : model_(model), points_(model), ground_(model), solids_(model.colliders) {
+    : model_(model),
+      points_(model),
+      ground_(model),
+      shapes_(shapes_of(model)),
+      moving_(solids_that(true, model)),
+      still_solids_(shapes_, solids_that(false, model)) {
   if (touches_only_ground(model)) return;  // which is ground_'s
   for (std::uint32_t i = 0; i < points_.size(); ++i)
     if (points_.weight(i) > 0.0) touching_.push_back(i);
@@ -19,19 +39,49 @@ bool ContactSolver::solves(const Pair& pair) const {
   return !is_plain(points_.point(pair.point)) || as_ground(model_.colliders[pair.collider]) == nullptr;
 }
 
+void ContactSolver::move_solids(double start_time, double end_time) {
+  if (moving_.empty()) return;
+  rides_.clear();
+  for (const std::uint32_t i : moving_) {
+    const SolidMotion& motion = *model_.colliders[i].motion;
+    rides_.push_back({i, placement_at(motion, start_time), placement_at(motion, end_time),
+                      twist_at(motion, start_time), twist_at(motion, end_time)});
+    shapes_[i] = moved(model_.colliders[i].shape, rides_.back().end);
+  }
+  moving_solids_.emplace(shapes_, moving_);
+}
+
+const ContactSolver::Ride* ContactSolver::ride_of(std::uint32_t collider) const {
+  if (rides_.empty() || !model_.colliders[collider].motion) return nullptr;
+  return &*std::ranges::lower_bound(rides_, collider, {}, &Ride::collider);
+}
+
+// How far a point has moved since the start of the step, as seen from the solid: beyond what has moved there
+// with it.
+Vec3 ContactSolver::moved_since_start(const Pair& pair, const Vectors& position) const {
+  const Vec3 x = points_.value(pair.point, position), moved = x - points_.value(pair.point, *start_);
+  const Ride* ride = ride_of(pair.collider);
+  return ride == nullptr ? moved : Vec3(moved - (x - ride->start.place(ride->end.back(x))));
+}
+
 void ContactSolver::begin_step(const std::vector<ContactSlip>& slips, const Vectors& start,
-                               const Vectors& velocity, const Vectors& predicted) {
+                               const Vectors& velocity, const Vectors& predicted, double start_time,
+                               double end_time) {
   start_ = &start;
   touched_ = false;
   start_velocity_ = &velocity;
   near_.clear();
   touches_.clear();
+  move_solids(start_time, end_time);
   for (const std::uint32_t point : touching_) {
     const Vec3 x = points_.value(point, predicted);
     const double reach = points_.point(point).radius + reach_ahead;
-    solids_.find(x, reach, around_);
+    around_.clear();
+    still_solids_.find(x, reach, around_);
+    if (moving_solids_) moving_solids_->find(x, reach, around_);
+    std::sort(around_.begin(), around_.end());
     for (const std::uint32_t collider : around_)
-      if (solves({point, collider}) && nearest_surface(model_.colliders[collider].shape, x).distance < reach)
+      if (solves({point, collider}) && nearest_surface(shapes_[collider], x).distance < reach)
         near_.push_back({point, collider});
   }
   has_touched_.assign(near_.size(), false);
@@ -45,7 +95,10 @@ void ContactSolver::touch(std::size_t near, const Vec3& normal) {
   if (has_touched_[near]) return;
   has_touched_[near] = true;
   const Pair& pair = near_[near];
-  touches_.push_back({pair, normal, points_.value(pair.point, *start_velocity_).dot(normal)});
+  Vec3 velocity = points_.value(pair.point, *start_velocity_);
+  if (const Ride* ride = ride_of(pair.collider))
+    velocity -= ride->start_twist.velocity(points_.value(pair.point, *start_));
+  touches_.push_back({pair, normal, velocity.dot(normal)});
 }
 
 void ContactSolver::solve(Vectors& position) {
@@ -53,11 +106,11 @@ void ContactSolver::solve(Vectors& position) {
     const Pair& pair = near_[i];
     const Collider& collider = model_.colliders[pair.collider];
     const Vec3 x = points_.value(pair.point, position);
-    const Surface surface = nearest_surface(collider.shape, x);
+    const Surface surface = nearest_surface(shapes_[pair.collider], x);
     const double depth = points_.point(pair.point).radius - surface.distance;
     if (!(depth > 0.0)) continue;
     touched_ = true;
-    const Vec3 moved = x - points_.value(pair.point, *start_);
+    const Vec3 moved = moved_since_start(pair, position);
     const Vec3 held = points_.point(pair.point).static_friction
                           ? frictions_[i].hold(collider.friction, depth, surface.normal, moved)
                           : coulomb_friction(collider.friction, depth, surface.normal, moved);
@@ -72,16 +125,17 @@ void ContactSolver::keep(const Vectors& position, std::vector<ContactSlip>& slip
   for (std::size_t i = 0; i < frictions_.size(); ++i) {
     const auto [point, collider] = near_[i];
     if (!frictions_[i].touched()) continue;
-    const Vec3 moved = points_.value(point, position) - points_.value(point, *start_);
-    slips.push_back({point, collider, frictions_[i].slip(moved)});
+    slips.push_back({point, collider, frictions_[i].slip(moved_since_start(near_[i], position))});
   }
 }
 
-void ContactSolver::rebound(double h, Vectors& velocity) const {
+void ContactSolver::rebound(double h, const Vectors& position, Vectors& velocity) const {
   const double resting = 2.0 * model_.gravity.norm() * h;
   for (const Touch& touch : touches_) {
     if (touch.approach > -resting) continue;
-    const double wanted = -model_.colliders[touch.pair.collider].restitution * touch.approach;
+    double wanted = -model_.colliders[touch.pair.collider].restitution * touch.approach;
+    if (const Ride* ride = ride_of(touch.pair.collider))
+      wanted += ride->end_twist.velocity(points_.value(touch.pair.point, position)).dot(touch.normal);
     const double has = points_.value(touch.pair.point, velocity).dot(touch.normal);
     if (has < wanted) points_.move(touch.pair.point, (wanted - has) * touch.normal, velocity);
   }

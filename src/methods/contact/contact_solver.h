@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "contact/collider_tree.h"
@@ -17,12 +18,13 @@ class ContactSolver {
   explicit ContactSolver(const Model& model);
 
   /// To be called once positions of the step have been predicted, with the positions and velocities at its
-  /// start and what contacts with static friction had slipped: finds what may touch in this step.
+  /// start and what contacts with static friction had slipped: finds what may touch in this step, at whose
+  /// end solids are where they are then.
   void begin_step(const std::vector<ContactSlip>& slips, const Vectors& start, const Vectors& velocity,
-                  const Vectors& predicted);
+                  const Vectors& predicted, double start_time, double end_time);
 
-  /// One pass: pushes what has entered a solid back to its surface, and takes from its way along the surface
-  /// what friction allows.
+  /// One pass: pushes what has entered a solid back to its surface, and takes from its way along the surface,
+  /// as seen from the solid, what friction allows.
   void solve(Vectors& position);
 
   /// Whether anything has touched a solid in this step.
@@ -32,10 +34,10 @@ class ContactSolver {
   void keep(const Vectors& position, std::vector<ContactSlip>& slips) const;
 
   /// Once velocities have been derived from positions: what has touched a solid that gives something back
-  /// leaves it with that share of the speed at which it came (Müller et al., Detailed Rigid Body Simulation
-  /// with Extended Position Based Dynamics, 2020, eq. 34); but not what gravity alone could have brought to
-  /// that speed within two steps, so that things come to rest.
-  void rebound(double h, Vectors& velocity) const;
+  /// leaves it with that share of the speed at which it came, both as seen from the solid (Müller et al.,
+  /// Detailed Rigid Body Simulation with Extended Position Based Dynamics, 2020, eq. 34); but not what
+  /// gravity alone could have brought to that speed within two steps, so that things come to rest.
+  void rebound(double h, const Vectors& position, Vectors& velocity) const;
 
  private:
   // A contact point and a collider.
@@ -49,6 +51,16 @@ class ContactSolver {
     double approach;  // m/s along the normal at the start of the step; negative: towards the solid
   };
 
+  // A solid that moves, at both ends of the step.
+  struct Ride {
+    std::uint32_t collider;
+    Placement start, end;
+    Twist start_twist, end_twist;
+  };
+
+  void move_solids(double start_time, double end_time);
+  const Ride* ride_of(std::uint32_t collider) const;
+  Vec3 moved_since_start(const Pair& pair, const Vectors& position) const;
   bool solves(const Pair& pair) const;
   void touch(std::size_t near, const Vec3& normal);
 
@@ -59,12 +71,16 @@ class ContactSolver {
   const Vectors* start_velocity_ = nullptr;
   GroundContacts ground_;                // single masses on the ground …
   std::vector<std::uint32_t> touching_;  // … and points that can ever touch anything else
-  ColliderTree solids_;
-  std::vector<std::uint32_t> around_;        // solids near a point
-  std::vector<Pair> near_;                   // that may touch in this step, point by point
-  std::vector<bool> has_touched_;            // each of those, a solid that gives something back
-  std::vector<StickingFriction> frictions_;  // one for each of those; none without static friction
-  std::vector<Touch> touches_;               // only of colliders that give something back
+  std::vector<Shape> shapes_;            // of all solids, at the end of the step
+  std::vector<std::uint32_t> moving_;    // solids that move, rising
+  ColliderTree still_solids_;
+  std::optional<ColliderTree> moving_solids_;  // where they are in this step
+  std::vector<Ride> rides_;                    // of each of those that move
+  std::vector<std::uint32_t> around_;          // solids near a point
+  std::vector<Pair> near_;                     // that may touch in this step, point by point
+  std::vector<bool> has_touched_;              // each of those, a solid that gives something back
+  std::vector<StickingFriction> frictions_;    // one for each of those; none without static friction
+  std::vector<Touch> touches_;                 // only of colliders that give something back
 };
 
 }  // namespace taut

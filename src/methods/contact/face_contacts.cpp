@@ -59,6 +59,10 @@ bool left_to_others(const FaceMesh& mesh, const FacePair& pair, const FaceGap& g
                                                      [](double weight) { return weight == -1.0; });
 }
 
+double height_above(const HalfSpace& ground, const Vec3& place) {
+  return (place - ground.point).dot(ground.normal);
+}
+
 Vec3 weighed(const FacePair& pair, const std::array<double, 4>& weights, const std::vector<Vec3>& places) {
   return (weights[0] * places[pair.nodes[0]] + weights[1] * places[pair.nodes[1]]) +
          (weights[2] * places[pair.nodes[2]] + weights[3] * places[pair.nodes[3]]);
@@ -69,7 +73,8 @@ Vec3 weighed(const FacePair& pair, const std::array<double, 4>& weights, const s
 FaceContacts::FaceContacts(const Model& model) : model_(model), none_(model.faces.empty()), search_(model) {
   if (none_) return;
   for (const Collider& collider : model.colliders)
-    if (const auto* half_space = std::get_if<HalfSpace>(&collider.shape)) grounds_.push_back(*half_space);
+    if (const auto* half_space = std::get_if<HalfSpace>(&collider.shape))
+      grounds_.push_back({&collider, *half_space, *half_space});
 }
 
 void FaceContacts::links_changed(const State& state) {
@@ -122,12 +127,19 @@ void FaceContacts::prepare(std::size_t pair) {
   contacts_.push_back(contact);
 }
 
-void FaceContacts::begin_step(const Vectors& start, const Vectors& predicted) {
+void FaceContacts::begin_step(const Vectors& start, const Vectors& predicted, double start_time,
+                              double end_time) {
   if (none_) return;
   touched_ = false;
+  end_time_ = end_time;
   contacts_.clear();
-  search_.mesh().places(start, start_);
-  search_.mesh().places(predicted, end_);
+  search_.mesh().places(start, start_time, start_);
+  search_.mesh().places(predicted, end_time, end_);
+  for (Ground& ground : grounds_) {
+    if (!ground.collider->motion) continue;
+    ground.start = std::get<HalfSpace>(shape_at(*ground.collider, start_time));
+    ground.end = std::get<HalfSpace>(shape_at(*ground.collider, end_time));
+  }
   finite_ = finite(start_) && finite(end_);
   if (!finite_) return;  // the step will be refused
   find_pairs(true);
@@ -160,7 +172,7 @@ void FaceContacts::put(Vectors& position) const {
 
 void FaceContacts::solve(Vectors& position) {
   if (contacts_.empty()) return;
-  search_.mesh().places(position, end_);
+  search_.mesh().places(position, end_time_, end_);
   bool pushed = false;
   for (const Contact& contact : contacts_) pushed = push(contact, end_) || pushed;
   if (!pushed) return;
@@ -191,34 +203,32 @@ bool FaceContacts::push_apart_what_meets() {
 }
 
 // Straight ways that begin above the ground and end there never leave it.
-bool FaceContacts::under(const HalfSpace& ground, std::uint32_t node) const {
-  const double start = (start_[node] - ground.point).dot(ground.normal);
+bool FaceContacts::under(const Ground& ground, std::uint32_t node) const {
+  const double start = height_above(ground.start, start_[node]);
   return search_.mesh().inverse_mass[node] > 0.0 && start > 0.0 &&
-         (end_[node] - ground.point).dot(ground.normal) <
+         height_above(ground.end, end_[node]) <
              std::min(never_nearer * search_.mesh().radius[node], 0.5 * start);
 }
 
 bool FaceContacts::lift_from_ground() {
   bool any = false;
-  for (const HalfSpace& ground : grounds_)
+  for (const Ground& ground : grounds_)
     for (const std::uint32_t node : search_.whole().points) {
       if (!under(ground, node)) continue;
       any = true;
-      const double start = (start_[node] - ground.point).dot(ground.normal);
-      const double now = (end_[node] - ground.point).dot(ground.normal);
-      end_[node] += (std::min(search_.mesh().radius[node], start) - now) * ground.normal;
+      const double wanted = std::min(search_.mesh().radius[node], height_above(ground.start, start_[node]));
+      end_[node] += (wanted - height_above(ground.end, end_[node])) * ground.end.normal;
     }
   return any;
 }
 
-// Nodes that move on together. The ground is one more, which stays.
+// Nodes that move on together, and the grounds, which are one more node each.
 class FaceContacts::Clusters {
  public:
-  Clusters(const FaceMesh& mesh, const Model& model) : mesh_(mesh), model_(model), leader_(mesh.size() + 1) {
+  Clusters(const FaceMesh& mesh, const Model& model, std::size_t grounds)
+      : mesh_(mesh), model_(model), leader_(mesh.size() + grounds) {
     std::iota(leader_.begin(), leader_.end(), 0U);
   }
-
-  std::uint32_t ground() const { return mesh_.size(); }
 
   // Whether they were apart. The lowest number leads.
   bool unite(std::uint32_t a, std::uint32_t b) {
@@ -227,25 +237,23 @@ class FaceContacts::Clusters {
     leader_[std::max(a, b)] = std::min(a, b);
     return a != b;
   }
+  bool unite_with_ground(std::uint32_t node, std::size_t ground) {
+    return unite(node, mesh_.size() + static_cast<std::uint32_t>(ground));
+  }
 
-  void move(const std::vector<Vec3>& start, std::vector<Vec3>& end) {
-    std::vector<Way> ways(leader_.size());
-    for (std::uint32_t node = 0; node < leader_.size(); ++node) {
-      Way& way = ways[leader(node)];
-      ++way.count;
-      const bool held = node == ground() || mesh_.inverse_mass[node] == 0.0;
-      const Vec3 moved = node == ground() ? Vec3(Vec3::Zero()) : Vec3(end[node] - start[node]);
-      if (held && !way.held) {
-        way.held = true;
-        way.of_held = moved;
-      } else if (!held) {
-        const double mass = model_.masses.mass[mesh_.mass[node]];
-        way.mass += mass;
-        way.momentum += mass * moved;
-      }
+  void move(const std::vector<Ground>& grounds, const std::vector<Vec3>& start, std::vector<Vec3>& end) {
+    ways_.assign(leader_.size(), Way{});
+    for (std::uint32_t node = 0; node < mesh_.size(); ++node) {
+      const Vec3 moved = end[node] - start[node];
+      if (mesh_.inverse_mass[node] == 0.0)
+        hold(node, moved);
+      else
+        carry(node, model_.masses.mass[mesh_.mass[node]], moved);
     }
+    for (std::uint32_t i = 0; i < grounds.size(); ++i)
+      hold(mesh_.size() + i, grounds[i].end.point - grounds[i].start.point);
     for (std::uint32_t node = 0; node < mesh_.mass.size(); ++node) {
-      const Way& way = ways[leader(node)];
+      const Way& way = ways_[leader(node)];
       if (way.count < 2 || mesh_.inverse_mass[node] == 0.0) continue;
       end[node] = start[node] + (way.held ? way.of_held : Vec3(way.momentum / way.mass));
     }
@@ -259,6 +267,19 @@ class FaceContacts::Clusters {
     double mass = 0.0;                                     // kg
   };
 
+  void hold(std::uint32_t node, const Vec3& moved) {
+    Way& way = ways_[leader(node)];
+    ++way.count;
+    if (!way.held) way.of_held = moved;
+    way.held = true;
+  }
+  void carry(std::uint32_t node, double mass, const Vec3& moved) {
+    Way& way = ways_[leader(node)];
+    ++way.count;
+    way.mass += mass;
+    way.momentum += mass * moved;
+  }
+
   std::uint32_t leader(std::uint32_t node) {
     while (leader_[node] != node) node = leader_[node] = leader_[leader_[node]];
     return node;
@@ -267,10 +288,11 @@ class FaceContacts::Clusters {
   const FaceMesh& mesh_;
   const Model& model_;
   std::vector<std::uint32_t> leader_;
+  std::vector<Way> ways_;  // of each leader
 };
 
 bool FaceContacts::hold_together() {
-  Clusters clusters(search_.mesh(), model_);
+  Clusters clusters(search_.mesh(), model_, grounds_.size());
   for (;;) {
     bool met = false, grown = false;
     for (std::size_t pair = 0; pair < search_.pairs().size(); ++pair) {
@@ -279,22 +301,22 @@ bool FaceContacts::hold_together() {
       const auto& nodes = search_.pairs()[pair].nodes;
       for (std::size_t k = 1; k < 4; ++k) grown = clusters.unite(nodes[0], nodes[k]) || grown;
     }
-    for (const HalfSpace& ground : grounds_)
+    for (std::size_t ground = 0; ground < grounds_.size(); ++ground)
       for (const std::uint32_t node : search_.whole().points) {
-        if (!under(ground, node)) continue;
+        if (!under(grounds_[ground], node)) continue;
         met = true;
-        grown = clusters.unite(node, clusters.ground()) || grown;
+        grown = clusters.unite_with_ground(node, ground) || grown;
       }
     if (!met) return true;
     if (!grown) return false;
-    clusters.move(start_, end_);
+    clusters.move(grounds_, start_, end_);
     find_pairs(false);
   }
 }
 
 bool FaceContacts::finish(Vectors& position) {
   if (none_ || !finite_) return true;
-  search_.mesh().places(position, end_);
+  search_.mesh().places(position, end_time_, end_);
   if (!finite(end_)) return true;
   bool pushed = false;
   for (int round = 0; round < most_rounds; ++round) {

@@ -24,7 +24,7 @@ class FaceContacts {
   void links_changed(const State& state);
 
   /// To be called once positions of the step have been predicted, with those at its start.
-  void begin_step(const Vectors& start, const Vectors& predicted);
+  void begin_step(const Vectors& start, const Vectors& predicted, double start_time, double end_time);
 
   /// One pass: keeps faces that are near as far apart as they are thick, and takes from their sliding on one
   /// another what friction allows.
@@ -47,6 +47,11 @@ class FaceContacts {
     double gap = 0.0;              // m
     double friction = 0.0;
   };
+  // A half-space, at both ends of the step.
+  struct Ground {
+    const Collider* collider = nullptr;
+    HalfSpace start, end;
+  };
   class Clusters;
 
   void find_pairs(bool from_new_start);
@@ -60,15 +65,16 @@ class FaceContacts {
   bool push_apart_what_meets();
   bool lift_from_ground();
   bool hold_together();
-  bool under(const HalfSpace& ground, std::uint32_t node) const;
+  bool under(const Ground& ground, std::uint32_t node) const;
 
   const Model& model_;
   bool none_;
   FaceSearch search_;
-  std::vector<HalfSpace> grounds_;
+  std::vector<Ground> grounds_;
   std::vector<Vec3> start_, end_;          // m, of the nodes
   std::vector<double> distance_at_start_;  // m, of each pair of the search, where it was asked for
   std::vector<Contact> contacts_;
+  double end_time_ = 0.0;  // s
   bool finite_ = true, touched_ = false;
 };
 

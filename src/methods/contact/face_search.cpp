@@ -33,16 +33,21 @@ double FaceSearch::least_distance(const FacePair& pair) const {
                                      : used_[a] + std::max({used_[b], used_[c], used_[d]}));
 }
 
+// What a node is given beyond its way in this step: more makes searches rarer, and pairs more.
+double FaceSearch::slack_of(std::uint32_t node) const {
+  constexpr double slack = 0.5;  // of half a thickness
+  if (!mesh_.of_solid(node)) return slack * mesh_.radius[node];
+  return mesh_.rides(node) ? slack * mesh_.radius.front() : 0.0;
+}
+
 bool FaceSearch::cover(const std::vector<Vec3>& start, const std::vector<Vec3>& end) {
-  constexpr double slack = 0.5;  // of half a thickness: more makes searches rarer, and pairs more
   constexpr double round_up = 1.0 + 1e-12;
   if (covers(start, end)) return false;
   middles_.resize(start.size());
   rooms_.resize(start.size());
   for (std::uint32_t i = 0; i < start.size(); ++i) {
     middles_[i] = 0.5 * (start[i] + end[i]);
-    const double way = (end[i] - start[i]).norm();
-    rooms_[i] = round_up * (0.5 * way + (mesh_.of_solid(i) ? 0.0 : slack * mesh_.radius[i]));
+    rooms_[i] = round_up * (0.5 * (end[i] - start[i]).norm() + slack_of(i));
   }
   find_face_pairs(mesh_, whole_, middles_, rooms_, std::numeric_limits<std::size_t>::max(), pairs_);
   covers(start, end);

@@ -32,6 +32,8 @@ class FaceSearch {
  private:
   bool covers(const std::vector<Vec3>& start, const std::vector<Vec3>& end);
 
+  double slack_of(std::uint32_t node) const;
+
   const Model& model_;
   FaceMesh mesh_;
   WholeFaces whole_;

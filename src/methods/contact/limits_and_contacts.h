@@ -3,33 +3,42 @@
 #include "contact/body_contacts.h"
 #include "contact/contact_solver.h"
 #include "contact/face_contacts.h"
+#include "relax/bend_solver.h"
 #include "relax/limit_solver.h"
 
 namespace taut {
 
-/// What a relaxation method solves beside its links, the same for each of them: limits on angles, bodies that
-/// touch, faces, solids, and the ground.
+/// What a relaxation method solves beside its links, the same for each of them: bends, limits on angles,
+/// bodies that touch, faces, solids, and the ground.
 class LimitsAndContacts {
  public:
   explicit LimitsAndContacts(const Model& model)
-      : limits_(model),
+      : model_(model),
+        bends_(model),
+        limits_(model),
         bodies_(model),
         faces_(model),
         contacts_(model),
-        none_(model.limits.empty() && model.contacts.empty() && model.faces.empty()) {
+        none_(model.limits.empty() && model.contacts.empty() && model.bends.empty() && model.faces.empty()) {
     for (const Collider& collider : model.colliders) rebounds_ = rebounds_ || collider.restitution > 0.0;
   }
 
-  /// To be called before the first step and whenever other links are whole than before.
-  void links_changed(const State& state) { faces_.links_changed(state); }
+  /// To be called before the first step and whenever links have broken.
+  void links_changed(const State& state) {
+    bends_.links_changed(model_, state);
+    limits_.links_changed(state);
+    faces_.links_changed(state);
+  }
 
-  /// To be called once positions of the step have been predicted, in place of those of the state; the
-  /// positions at its start, which must stay where they are until keep().
-  void begin_step(const Vectors& start, const State& predicted) {
+  /// To be called once positions of the step have been predicted, in place of those of the state, whose time
+  /// is that of the start; the positions at its start, which must stay where they are until keep().
+  void begin_step(const Vectors& start, const State& predicted, double end_time) {
+    bends_.begin_step();
     limits_.begin_step();
     bodies_.begin_step(predicted.static_friction.bodies, start, predicted.position);
-    faces_.begin_step(start, predicted.position);
-    contacts_.begin_step(predicted.static_friction.solids, start, predicted.velocity, predicted.position);
+    faces_.begin_step(start, predicted.position, predicted.time, end_time);
+    contacts_.begin_step(predicted.static_friction.solids, start, predicted.velocity, predicted.position,
+                         predicted.time, end_time);
   }
 
   /// Whether there are none of them: then solve() need not be called.
@@ -38,6 +47,7 @@ class LimitsAndContacts {
   /// One pass, to follow that over the links. `answer` is what a mass moves by beside its inverse mass: 1/(1
   /// + h·drag) where drag is implicit in all forces.
   void solve(double h, double answer, Vectors& position) {
+    bends_.solve(h, answer, position);
     limits_.solve(position, h, answer);
     bodies_.solve(position);
     faces_.solve(position);
@@ -55,7 +65,9 @@ class LimitsAndContacts {
   }
 
   /// Once velocities have been derived from positions.
-  void rebound(double h, Vectors& velocity) const { contacts_.rebound(h, velocity); }
+  void rebound(double h, const Vectors& position, Vectors& velocity) const {
+    contacts_.rebound(h, position, velocity);
+  }
 
   /// Once the step has been made.
   void keep(State& state) const {
@@ -63,10 +75,17 @@ class LimitsAndContacts {
     contacts_.keep(state.position, state.static_friction.solids);
   }
 
-  /// Limits solved in a pass.
-  std::int64_t size() const { return limits_.size(); }
+  /// The tensions of one-sided links (N), see LimitSolver.
+  void give_tensions(double scale, std::vector<double>& tension) const {
+    limits_.give_tensions(scale, tension);
+  }
+
+  /// Limits and bends solved in a pass.
+  std::int64_t size() const { return limits_.size() + bends_.size(); }
 
  private:
+  const Model& model_;
+  BendSolver bends_;
   LimitSolver limits_;
   BodyContacts bodies_;
   FaceContacts faces_;

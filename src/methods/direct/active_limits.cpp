@@ -6,8 +6,15 @@
 namespace taut {
 
 ActiveLimits::ActiveLimits(const Model& model)
-    : limits_(model.limits), border_(model), pushes_(model.limits.size()) {
+    : limits_(model.limits),
+      border_(model),
+      let_go_(model.limits.size(), false),
+      pushes_(model.limits.size()) {
   active_.reserve(model.limits.size());
+}
+
+void ActiveLimits::links_changed(const State& state) {
+  for (std::size_t i = 0; i < limits_.size(); ++i) let_go_[i] = let_go(limits_[i], state);
 }
 
 void ActiveLimits::begin_step(double h) {
@@ -21,7 +28,7 @@ void ActiveLimits::begin_half_kicks(double h, const Vectors& start, Vectors& pos
   start_pushes_.assign(limits_.size(), Push{});
   for (std::size_t i = 0; i < limits_.size(); ++i) {
     const double compliance = limits_[i].compliance;
-    if (compliance == 0.0) continue;
+    if (compliance == 0.0 || let_go_[i]) continue;
     const Overshoot beyond = overshoot(limits_[i], limit_angle(limits_[i], start));
     const LimitAngle along = border_.outward(i, beyond.sign, start);
     const double shortness = 1.0 + h * h * border_.own_weight(i, along) / compliance;  // 1 + ω²h²
@@ -47,6 +54,7 @@ double ActiveLimits::look(const Vectors& position, const Vectors* start) {
   double worst = 0.0;
   for (std::size_t i = 0; i < limits_.size(); ++i) {
     const Limit& limit = limits_[i];
+    if (let_go_[i]) continue;
     const double angle = limit_angle(limit, position);
     Overshoot beyond = overshoot(limit, angle);
     // What pushes at one end is first taken back there before the other end may push.
@@ -100,6 +108,19 @@ void ActiveLimits::stop(const LinkSystem& system, const Vectors& directions, con
     }
     active_.erase(active_.begin() + pulling);
     links = given_;
+  }
+}
+
+void ActiveLimits::give_tensions(double scale, const Vectors& position, std::vector<double>& tension) const {
+  for (std::size_t i = 0; i < limits_.size(); ++i) {
+    const Limit& limit = limits_[i];
+    if (limit.kind != LimitKind::reach || let_go_[i]) continue;
+    double torque = scale * pushes_[i].multiplier * pushes_[i].sign;
+    if (limit.compliance > 0.0) {
+      const Overshoot beyond = overshoot(limit, limit_angle(limit, position));
+      torque = std::max(beyond.size, 0.0) * beyond.sign / limit.compliance;
+    }
+    tension[limit.link] = torque / limit.length;
   }
 }
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "direct/limit_border.h"
+#include "model/state.h"
 
 namespace taut {
 
@@ -16,6 +17,10 @@ class ActiveLimits {
   explicit ActiveLimits(const Model& model);
 
   bool none() const { return limits_.empty(); }
+
+  /// To be called before the first step and whenever links have broken: a limit on the reach of a broken one
+  /// holds nothing.
+  void links_changed(const State& state);
 
   /// To be called at the start of a step of h seconds, where soft limits are to push as hard as they must at
   /// its end: α̃ = α/h².
@@ -48,6 +53,10 @@ class ActiveLimits {
   void stop(const LinkSystem& system, const Vectors& directions, const Vectors& position,
             std::vector<double>& links, Vectors& velocity);
 
+  /// The tensions of one-sided links (N) at these positions, with `scale` what is to be made of the
+  /// multipliers of the rigid ones.
+  void give_tensions(double scale, const Vectors& position, std::vector<double>& tension) const;
+
  private:
   // How hard a stop has pushed in this step, and at which end of the range.
   struct Push {
@@ -57,6 +66,7 @@ class ActiveLimits {
 
   const std::vector<Limit>& limits_;
   LimitBorder border_;
+  std::vector<bool> let_go_;  // one a limit
   std::vector<Push> pushes_;
   std::vector<Push> start_pushes_;  // of soft limits at the start of a step with half kicks
   std::vector<double> share_;       // of h² τ₁ that μ is

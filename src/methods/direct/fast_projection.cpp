@@ -24,8 +24,9 @@
 
 namespace taut {
 
-FastProjection::FastProjection(const Model& model, LinkSystem system)
+FastProjection::FastProjection(const Model& model, LinkSystem system, const State& state)
     : model_(model), system_(std::move(system)), limits_(model) {
+  limits_.links_changed(state);
   for (const Index link : system_.links.link) {
     inverse_length_.push_back(1.0 / model_.links.length[link]);
     compliant_ = compliant_ || !model_.links.rigid(link);
@@ -52,6 +53,7 @@ bool FastProjection::solve(const Vectors& start, double h, Vectors& position, st
     if (worst <= tolerance && beyond <= limit_tolerance) {
       for (std::size_t i = 0; i < multipliers_.size(); ++i)
         tension[links.link[i]] = multipliers_[i] / (h * h);
+      limits_.give_tensions(1.0 / (h * h), position, tension);
       return true;
     }
     if (round >= rounds_to_settle && worst > settled_error) break;

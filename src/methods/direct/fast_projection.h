@@ -13,7 +13,7 @@ namespace taut {
 class FastProjection {
  public:
   /// For the links of the system, which belong to `model`.
-  FastProjection(const Model& model, LinkSystem system);
+  FastProjection(const Model& model, LinkSystem system, const State& state);
 
   /// Moves `position`, where the masses would be at the end of a step of h seconds from `start` without
   /// links, to where the links allow; sets their tensions (N). False, with the reason in the report, where it

@@ -8,7 +8,10 @@
 
 namespace taut {
 
-/// A limit on an angle that takes part in a solve.
+/// So many limits take a second a solve.
+inline constexpr std::size_t most_limits_solved_together = 1000;
+
+/// A limit on an angle, or on the reach of a one-sided link, that takes part in a solve.
 struct LimitRow {
   std::size_t limit;
   LimitAngle along, column;  ///< ∇C where its rows are taken, and the direction its masses are moved in

@@ -8,13 +8,18 @@
 
 namespace taut {
 
-Springs gather_springs(const Model& model, const State& state) {
+Springs gather_springs(const Model& model, const State& state, OneSided one_sided) {
+  const bool all = one_sided == OneSided::taken;
   std::vector<Index> soft;
-  for (const Index link : solvable_links(model))
+  for (const Index link : all ? links_with_a_free_end(model) : solvable_links(model))
     if (!model.links.rigid(link) && !state.broken(link)) soft.push_back(link);
-  Springs springs{gather(model, soft), {}};
+  Springs springs{gather(model, soft), {}, {}, BendForces(model, state)};
+  for (const Index link : soft) springs.stiffness.push_back(model.links.stiffness[link]);
+  if (!all || !has_one_sided_links(model)) return springs;
   for (const Index link : soft) {
-    springs.stiffness.push_back(model.links.stiffness[link]);
+    const double length = model.links.length[link];
+    springs.free_range.push_back(model.links.one_sided(link) ? model.links.free_range[link]
+                                                             : FreeRange{length, length});
   }
   return springs;
 }
@@ -36,7 +41,7 @@ Pull pull_of(const Springs& springs, std::size_t i, const Vectors& position, con
   const Vec3 difference = position.at(a) - position.at(b);
   const double distance = difference.norm();
   const Vec3 direction = distance > 0.0 ? Vec3(difference / distance) : Vec3::Zero();
-  return {springs.stiffness[i] * (distance - springs.links.length[i]) +
+  return {springs.stiffness[i] * springs.stretch(i, distance) +
               springs.links.damping[i] * direction.dot(velocity.at(a) - velocity.at(b)),
           direction};
 }
@@ -60,6 +65,7 @@ void kick_by_springs(const Springs& springs, double h, const Vectors& position, 
     kicked.add(springs.links.a[i], (springs.links.weight_a[i] * impulse) * pull.direction);
     kicked.add(springs.links.b[i], -(springs.links.weight_b[i] * impulse) * pull.direction);
   }
+  springs.bends.kick(h, position, kicked);
 }
 
 double highest_frequency(const Springs& springs, const Vectors& position) {
@@ -82,6 +88,7 @@ double highest_frequency(const Springs& springs, const Vectors& position) {
     along_links(springs.links, direction, mode, pull);
     for (std::size_t i = 0; i < pull.size(); ++i) pull[i] *= springs.stiffness[i];
     apply_impulses(springs.links, direction, pull, next);
+    springs.bends.add_product(position, mode, next);
     const double size = std::sqrt(squared_norm(next));
     if (size == 0.0) return 0.0;
     for (std::size_t i = 0; i < next.size(); ++i) next.set(i, next.at(i) / size);
@@ -110,6 +117,7 @@ double spring_frequency_bound(const Model& model, const State& state) {
     sum[links.a[i]] += share * springs.stiffness[i] * links.weight_a[i];
     sum[links.b[i]] += share * springs.stiffness[i] * links.weight_b[i];
   }
+  springs.bends.add_rows(state.position, sum);
   double largest = 0.0;
   for (const double value : sum) largest = std::max(largest, value);
   return std::sqrt(largest);

@@ -1,22 +1,35 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
 #include "direct/link_system.h"
+#include "forces/bend_forces.h"
 
 namespace taut {
 
-/// Links with stiffness and damping as forces.
+/// Links with stiffness and damping, and bends, as forces.
 struct Springs {
   SystemLinks links;
-  std::vector<double> stiffness;  ///< N/m
+  std::vector<double> stiffness;      ///< N/m
+  std::vector<FreeRange> free_range;  ///< empty where none is one-sided
 
-  bool empty() const { return links.size() == 0; }
+  BendForces bends;
+
+  bool empty() const { return links.size() == 0 && bends.empty(); }
+  /// How far (m) a spring is beyond where it does nothing.
+  double stretch(std::size_t i, double distance) const {
+    if (free_range.empty()) return distance - links.length[i];
+    return distance - std::clamp(distance, free_range[i].shortest, free_range[i].longest);
+  }
 };
 
+/// Whether one-sided links are springs, too: where they aren't the method's limits.
+enum class OneSided { left_out, taken };
+
 /// The whole links with stiffness that have a free end.
-Springs gather_springs(const Model& model, const State& state);
+Springs gather_springs(const Model& model, const State& state, OneSided one_sided = OneSided::left_out);
 
 /// Whether any of them is damped.
 bool any_damped(const Springs& springs);

@@ -34,6 +34,7 @@ void Equations::hold(const std::vector<HeldStop>& stops) {
   for (const HeldStop& stop : stops)
     (model_.limits[stop.limit].compliance > 0.0 ? soft_ : hard_).push_back(stop);
   pushes_.assign(hard_.size(), 0.0);
+  soft_pushes_.assign(soft_.size(), 0.0);
 }
 
 std::vector<LimitRow> Equations::hard_rows(const std::vector<HeldStop>& stops,
@@ -69,10 +70,11 @@ void Equations::take(const std::vector<LimitRow>& stops, Vectors& from) {
 void Equations::free_motion(double time, const Vectors& position, const Vectors& velocity,
                             Vectors& acceleration) {
   free_accelerations(model_, whole_, springs_, time, position, velocity, acceleration, spring_tension_);
-  for (const HeldStop& stop : soft_) {
+  for (std::size_t i = 0; i < soft_.size(); ++i) {
+    const HeldStop& stop = soft_[i];
     const Limit& limit = model_.limits[stop.limit];
-    const double excess = excess_at(limit, limit_angle(limit, position), stop.sign);
-    border_.move(stop.limit, border_.outward(stop.limit, stop.sign, position), -excess / limit.compliance,
+    soft_pushes_[i] = excess_at(limit, limit_angle(limit, position), stop.sign) / limit.compliance;
+    border_.move(stop.limit, border_.outward(stop.limit, stop.sign, position), -soft_pushes_[i],
                  acceleration);
   }
 }
@@ -106,6 +108,14 @@ void Equations::write_tensions(std::vector<double>& tension) const {
     tension[links.link[i]] = multipliers_[i] * links.length[i];
   for (std::size_t i = 0; i < spring_tension_.size(); ++i)
     tension[springs_.links.link[i]] = spring_tension_[i];
+  for (std::size_t i = 0; i < hard_.size(); ++i) write_reach(hard_[i], pushes_[i], tension);
+  for (std::size_t i = 0; i < soft_.size(); ++i) write_reach(soft_[i], soft_pushes_[i], tension);
+}
+
+// A stop that pushes with a torque (N m), where it is the end of a one-sided link's reach.
+void Equations::write_reach(const HeldStop& stop, double push, std::vector<double>& tension) const {
+  const Limit& limit = model_.limits[stop.limit];
+  if (limit.kind == LimitKind::reach) tension[limit.link] = stop.sign * push / limit.length;
 }
 
 // (|d|² − l²)/2 of every link into the multipliers; returns the largest error in a length over the length.
@@ -229,7 +239,7 @@ bool Equations::settle(double time, const Vectors& position, double slow, Vector
   for (std::size_t i = 0; i < model_.limits.size(); ++i)
     for (const double sign : {1.0, -1.0}) {
       const Limit& limit = model_.limits[i];
-      if (!has_stop(limit, sign)) continue;
+      if (!has_stop(limit, sign) || let_go(limit, whole_)) continue;
       if (!(excess_at(limit, limit_angle(limit, position), sign) > -touching)) continue;
       (limit.compliance > 0.0 ? pressed : near).push_back({static_cast<Index>(i), sign});
     }

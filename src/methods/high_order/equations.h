@@ -60,6 +60,7 @@ class Equations {
   double stop_residual(const Vectors& position);
   bool project_positions(Vectors& position);
   bool project_velocities(const Vectors& position, Vectors& velocity);
+  void write_reach(const HeldStop& stop, double push, std::vector<double>& tension) const;
   template <class Wanted>
   bool answer(const std::vector<LimitRow>& touched, const Wanted& wanted, const std::vector<double>& links,
               std::vector<bool>& pushing, Vectors& u);
@@ -75,7 +76,7 @@ class Equations {
   Index worst_link_ = no_link;
   // Room for an evaluation.
   Vectors direction_;
-  std::vector<double> multipliers_, spring_tension_, pushes_, strength_;
+  std::vector<double> multipliers_, spring_tension_, pushes_, soft_pushes_, strength_;
   std::vector<LimitRow> rows_;
 };
 

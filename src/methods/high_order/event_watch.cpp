@@ -28,6 +28,8 @@ void EventWatch::begin(const State& state) {
   for (const Index link : model_.breakable_links)
     if (!state.broken(link)) links_.push_back(link);
   held_ = state.own_steps.held;
+  let_go_.clear();
+  for (const Limit& limit : model_.limits) let_go_.push_back(let_go(limit, state));
 }
 
 double EventWatch::past_break(const Vectors& position, Index link) const {
@@ -57,7 +59,8 @@ double EventWatch::past(const Vectors& position, const Equations& equations) {
   double past = -infinity;
   if (!links_.empty()) equations.write_tensions(tension_);
   for (const Index link : links_) past = std::max(past, past_break(position, link));
-  for (std::size_t i = 0; i < model_.limits.size(); ++i) past = std::max(past, past_limit(position, i));
+  for (std::size_t i = 0; i < model_.limits.size(); ++i)
+    if (!let_go_[i]) past = std::max(past, past_limit(position, i));
   for (const double push : equations.pushes()) past = std::max(past, -push - slack_);
   return past;
 }

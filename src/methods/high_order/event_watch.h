@@ -35,6 +35,7 @@ class EventWatch {
   double slack_;              // N m
   std::vector<Index> links_;  // that are whole and can break
   std::vector<HeldStop> held_;
+  std::vector<bool> let_go_;  // one a limit
   std::vector<double> tension_;
 };
 

@@ -25,10 +25,11 @@ constexpr std::array<std::size_t, 4> telling_stages{3, 6, 9, 10};
 
 std::vector<double> times_of_kinks(const Model& model) {
   std::vector<double> times;
-  for (const Load& load : model.loads) times.insert(times.end(), {load.from, load.to});
-  for (const DrivenPin& pin : model.driven_pins)
-    if (const auto* path = std::get_if<Path>(&pin.motion))
-      for (const Knot& knot : path->knots) times.push_back(knot.time);
+  for (const Load& load : model.loads) times.insert(times.end(), {load.from, load.to, load.until, load.gone});
+  for (const DrivenPin& pin : model.driven_pins) {
+    const std::vector<double> kinks = kinks_of(pin.motion);
+    times.insert(times.end(), kinks.begin(), kinks.end());
+  }
   std::ranges::sort(times);
   return times;
 }

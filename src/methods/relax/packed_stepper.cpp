@@ -166,8 +166,8 @@ class PackedStepper final : public Stepper {
 }  // namespace
 
 bool only_links(const Model& model) {
-  return model.limits.empty() && model.joints.empty() && model.contacts.empty() && model.faces.empty() &&
-         model.loads.empty() && !model.wind;
+  return model.limits.empty() && model.bends.empty() && model.joints.empty() && model.contacts.empty() &&
+         model.faces.empty() && model.loads.empty() && !model.wind;
 }
 
 template <class Real>

@@ -46,9 +46,9 @@ class RelaxationStepper final : public FileOrderStepper {
     drift(h, start_, velocity_, state.position);
     place_pins(model_, end_time, state.position, velocity_);
     StepReport report;
-    const bool kept_apart = relax(h, whole ? 1.0 / (1.0 + h * model_.drag) : 1.0, state, report);
+    const bool kept_apart = relax(h, end_time, whole ? 1.0 / (1.0 + h * model_.drag) : 1.0, state, report);
     difference_quotient(h, start_, state.position, velocity_);
-    limits_and_contacts_.rebound(h, velocity_);
+    limits_and_contacts_.rebound(h, state.position, velocity_);
     if (!whole) kick(model_, end_time, 0.5 * h, velocity_, velocity_);
     place_pins(model_, end_time, state.position, velocity_);
     std::swap(state.velocity, velocity_);
@@ -62,17 +62,19 @@ class RelaxationStepper final : public FileOrderStepper {
     }
     limits_and_contacts_.keep(state);
     joints_.keep(start_, state);
-    links_.give_multipliers(-1.0 / (h * (whole ? h : state.unanswered_kick + 0.5 * h)), state.tension);
+    const double scale = -1.0 / (h * (whole ? h : state.unanswered_kick + 0.5 * h));
+    links_.give_multipliers(scale, state.tension);
+    limits_and_contacts_.give_tensions(scale, state.tension);
     if (!whole) state.unanswered_kick = 0.5 * h;
     return report;
   }
 
   // Whether faces could be kept from passing through each other.
-  bool relax(double h, double answer, State& state, StepReport& report) {
+  bool relax(double h, double end_time, double answer, State& state, StepReport& report) {
     links_.begin_step(static_cast<Real>(h), static_cast<Real>(answer));
     links_.load(start_, packed_start_);
     links_.load(state.position, packed_);
-    limits_and_contacts_.begin_step(start_, state);
+    limits_and_contacts_.begin_step(start_, state, end_time);
     int made = 0;
     for (; passes_.another(made, limits_and_contacts_.may_jump(), start_, state.position, h); ++made) {
       links_.pass(packed_start_, packed_, {made == 0, false});

@@ -31,7 +31,7 @@ double speed(const State& state, std::size_t mass) {
 double link_value(const Model& model, const State& state, ColourBy by, std::size_t link) {
   switch (by) {
     case ColourBy::strain:
-      return link_distance(model, state.position, link) / model.links.length[link] - 1.0;
+      return model.links.strain(link, link_distance(model, state.position, link));
     case ColourBy::tension:
       return state.tension[link];
     case ColourBy::speed:
@@ -56,6 +56,7 @@ double nearness(const Limit& limit, double angle) {
 std::vector<double> nearest_to_stops(const Model& model, const State& state) {
   std::vector<double> nearest(model.masses.size());
   for (const Limit& limit : model.limits) {
+    if (limit.kind == LimitKind::reach) continue;
     const double value = nearness(limit, limit_angle(limit, state.position));
     const std::size_t joint = limit.kind == LimitKind::cone ? 3 : 1;
     const bool wide = limit.kind == LimitKind::hinge;

@@ -7,6 +7,7 @@
 #include "geometry/loose_threads.h"
 #include "geometry/picture_space.h"
 #include "geometry/supports.h"
+#include "geometry/turning_marks.h"
 #include "geometry/view_matrices.h"
 #include "model/measures.h"
 
@@ -92,13 +93,15 @@ std::shared_ptr<const Geometry> GeometryMaker::make(const State& state, const Ca
     geometry->links.insert(geometry->links.end(), threads.begin(), threads.end());
   }
   if (look.colliders)
-    for (const Collider& collider : model.colliders)
-      add_shape(geometry->bodies, space.seen(collider.shape), look.collider_colour);
+    for (const Collider& collider : model.colliders) {
+      add_shape(geometry->bodies, space.seen(shape_at(collider, state.time)), look.collider_colour);
+      add_turning_marks(geometry->bodies, collider, state.time, space, look.collider_colour);
+    }
   if (look.bones) add_figures(geometry->bodies, bodies, seen, look, values, geometry->scale);
   if (start)
     add_mass_boxes(geometry->bodies, model, space.seen(*start), seen, look, radii, values, geometry->scale);
   if (supports) add_supports(geometry->bodies, parts_->supports->seen_with(pose.up), space, seen, look.theme);
-  for (const Ground& ground : drawn_grounds(model, look, pose.up)) {
+  for (const Ground& ground : drawn_grounds(model, look, pose.up, state.time)) {
     const GroundPatch patch = ground_patch(ground, space, lines_a_period * grid_spacing(pose));
     // From below there is no ground in the way of the scene.
     if (patch.height > 0.0F) geometry->grounds.push_back(patch);

@@ -18,9 +18,8 @@ std::vector<Vec3> turning_places(const Motion& motion) {
   std::vector<Vec3> places;
   if (const auto* path = std::get_if<Path>(&motion)) {
     for (const Knot& knot : path->knots) places.push_back(knot.position);
-  } else {
-    const auto& swing = std::get<Sinusoid>(motion);
-    places = {swing.rest - swing.amplitude, swing.rest + swing.amplitude};
+  } else if (const auto* swing = std::get_if<Sinusoid>(&motion)) {
+    places = {swing->rest - swing->amplitude, swing->rest + swing->amplitude};
   }
   return places;
 }
@@ -108,6 +107,8 @@ class SupportMaker {
       links[a] += 1.0;
       links[b] += 1.0;
     }
+    for (const DrivenPin& driven : model_.driven_pins)
+      if (std::holds_alternative<Carried>(driven.motion)) links[driven.mass] = 0.0;  // a solid holds it
     pin_of_mass_.assign(count, none);
     for (std::size_t mass = 0; mass < count; ++mass) {
       if (!model_.masses.pinned(mass) || links[mass] == 0.0) continue;

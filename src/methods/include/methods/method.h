@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
 #include <span>
@@ -65,9 +66,13 @@ struct Capabilities {
   bool rigid = true;       ///< links without stiffness
   bool ground = false;     ///< half-spaces with friction and without rebound, touched by single masses
   bool limits = false;     ///< limits on angles
-  bool joints = false;     ///< joints with damping or friction
-  bool colliders = false;  ///< solids of any shape, rebound, bodies that touch
-  bool faces = false;      ///< faces of sheets that touch
+  bool one_sided = false;  ///< links that only pull or only push
+  std::size_t most_limits =
+      std::numeric_limits<std::size_t>::max();  ///< of both, where they are solved all together
+  bool bending = false;                         ///< chains and sheets that resist bending
+  bool joints = false;                          ///< joints with damping or friction
+  bool colliders = false;                       ///< solids of any shape, rebound, bodies that touch
+  bool faces = false;                           ///< faces of sheets that touch
   bool drag = true;
   bool break_stretch = false;
   bool break_tension = false;

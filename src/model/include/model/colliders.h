@@ -2,9 +2,11 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 #include <variant>
 
 #include "base/vectors.h"
+#include "model/solid_motion.h"
 
 namespace taut {
 
@@ -33,12 +35,19 @@ struct Box {
 
 using Shape = std::variant<HalfSpace, Sphere, Capsule, Box>;
 
-/// A solid that stays where it is and that nothing can enter.
+/// A solid that nothing can enter.
 struct Collider {
-  Shape shape;
-  double friction = 0.5;     ///< Coulomb's coefficient
-  double restitution = 0.0;  ///< share of the speed of approach that is given back, 0 to 1
+  Shape shape;                          ///< where it stands, or would stand if it didn't move
+  double friction = 0.5;                ///< Coulomb's coefficient
+  double restitution = 0.0;             ///< share of the speed of approach that is given back, 0 to 1
+  std::optional<SolidMotion> motion{};  ///< absent: it stays where it is
 };
+
+/// A shape that has been moved.
+Shape moved(const Shape& shape, const Placement& pose);
+
+/// The shape of a solid where it is at a time.
+Shape shape_at(const Collider& collider, double time);
 
 /// Where a solid's surface is, seen from a point.
 struct Surface {
@@ -63,5 +72,8 @@ struct ContactPoint {
   bool static_friction = false;     ///< remembers where it sticks; see StaticFriction
   bool of_faces = false;            ///< a corner of faces that touch; see SheetFaces
 };
+
+/// Where a contact point is.
+Vec3 place_of(const ContactPoint& point, const Vectors& position);
 
 }  // namespace taut

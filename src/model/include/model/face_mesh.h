@@ -24,12 +24,13 @@ struct FaceMesh {
   };
   /// Nodes that belong together: a sheet's, or a solid's.
   struct Group {
-    const SheetFaces* faces = nullptr;  ///< of a sheet; null: a solid
+    const SheetFaces* faces = nullptr;  ///< of a sheet, or else …
+    const Collider* solid = nullptr;    ///< … what it is
     double friction = 0.5;
   };
 
   std::vector<Index> mass;           ///< of each node of a sheet; those of solids follow, without one
-  std::vector<Vec3> solid_place;     ///< m, of each node of a solid
+  std::vector<Vec3> solid_place;     ///< m, of each node of a solid, as that stands in the model
   std::vector<double> inverse_mass;  ///< 1/kg of each node; 0 where it is pinned or a solid's
   std::vector<double>
       radius;  ///< m around each node that its contact keeps free: half a thickness, or a solid's
@@ -46,12 +47,10 @@ struct FaceMesh {
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(inverse_mass.size()); }
   bool of_solid(std::uint32_t node) const { return node >= mass.size(); }
-  /// Where a node is.
-  Vec3 place(std::uint32_t node, const Vectors& position) const {
-    return of_solid(node) ? solid_place[node - mass.size()] : position.at(mass[node]);
-  }
-  /// Where all nodes are.
-  void places(const Vectors& position, std::vector<Vec3>& out) const;
+  /// Whether a node is of a solid that moves.
+  bool rides(std::uint32_t node) const { return of_solid(node) && groups[group[node]].solid->motion; }
+  /// Where all nodes are at a time (s).
+  void places(const Vectors& position, double time, std::vector<Vec3>& out) const;
   /// Whether what is of these two groups is kept apart.
   bool meet(std::uint32_t group_a, std::uint32_t group_b) const;
   /// Whether any faces are kept apart from faces.

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <numbers>
 
 #include "base/vectors.h"
@@ -17,7 +18,12 @@ namespace taut {
 ///        axis from p to q, right-handed, −π to π. p or q may be b.
 /// cone:  masses o, p, q, b, c, d; the angle, 0 to π, between an axis fixed in the frame of o, p, q and the
 ///        limb from b to the middle of c and d. d may be c, b may be of the frame.
-enum class LimitKind : std::uint8_t { angle, hinge, cone };
+/// reach: masses a, b; how far apart they are, 0 to infinity, in lengths of the link between them, which acts
+///        only at the ends of the range: read "lengths" for rad below, and a force times that length for a
+///        torque.
+enum class LimitKind : std::uint8_t { angle, hinge, cone, reach };
+
+inline constexpr Index no_link = std::numeric_limits<Index>::max();
 
 inline constexpr std::size_t most_limit_masses = 6;
 
@@ -29,6 +35,8 @@ struct Limit {
   Vec3 axis = Vec3::UnitX();                      ///< of a cone, unit length, in its frame
   double min = 0.0, max = std::numbers::pi;       ///< rad
   double compliance = 0.0;                        ///< rad/(N m); 0: a hard stop
+  double length = 1.0;                            ///< m, of a reach: what it is measured in
+  Index link = no_link;                           ///< of a reach: its link, without which it holds nothing
 };
 
 /// An angle and its gradient with respect to each of the limit's masses (rad/m). Where a limit names a mass

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "base/vectors.h"
+#include "model/bends.h"
 #include "model/colliders.h"
 #include "model/faces.h"
 #include "model/joints.h"
@@ -25,13 +27,25 @@ struct Masses {
   std::vector<double> mass;          ///< kg
   std::vector<double> inverse_mass;  ///< 1/kg; 0 when pinned
   std::vector<double> radius;        ///< m, of contact; 0: a point
+  std::vector<double> release_at;    ///< s, when a pin lets go of it; infinity = never; empty where none does
 
   std::size_t size() const { return mass.size(); }
+  /// Whether it is a pin at the start of a run.
   bool pinned(std::size_t i) const { return inverse_mass[i] == 0.0; }
+  /// Whether it is a pin at a time.
+  bool held(std::size_t i, double time) const {
+    return pinned(i) && (release_at.empty() || time < release_at[i]);
+  }
 };
 
 /// What a link is for: to carry, or to stand in for a sheet's stiffness against shear or bending.
 enum class LinkFamily : std::uint8_t { structural, diagonals, skip_one };
+
+/// The distances (m) between which a link does nothing: it pulls beyond the longest, and pushes below the
+/// shortest. Where the two are one, it does both about its length.
+struct FreeRange {
+  double shortest = 0.0, longest = 0.0;
+};
 
 /// The constant side of links, one entry a link in every array.
 struct Links {
@@ -42,8 +56,22 @@ struct Links {
   std::vector<double> damping;        ///< N s/m; 0 for rigid links
   std::vector<double> break_stretch;  ///< × length; infinity = never
   std::vector<double> break_tension;  ///< N; infinity = never
+  std::vector<FreeRange> free_range;  ///< empty where no link of the model has one
 
   std::size_t size() const { return a.size(); }
+  /// Whether there are distances at which the link does nothing. It is solved as the limit on its reach then.
+  bool one_sided(std::size_t i) const {
+    return !free_range.empty() && free_range[i].shortest < free_range[i].longest;
+  }
+  /// How far (m) a link is beyond where it does nothing: above 0 it pulls, below 0 it pushes.
+  double stretch(std::size_t i, double distance) const {
+    if (!one_sided(i)) return distance - length[i];
+    return distance - std::clamp(distance, free_range[i].shortest, free_range[i].longest);
+  }
+  /// The same as a share of its length.
+  double strain(std::size_t i, double distance) const {
+    return one_sided(i) ? stretch(i, distance) / length[i] : distance / length[i] - 1.0;
+  }
   bool rigid(std::size_t i) const { return stiffness[i] == infinity; }
   double compliance(std::size_t i) const { return 1.0 / stiffness[i]; }  ///< m/N; 0 = rigid
 };
@@ -54,20 +82,27 @@ struct DrivenPin {
   Motion motion;
 };
 
-/// A force on each of some masses that grows linearly from nothing at `from` to `force` at `to`, and stays.
+/// What happens at a time whatever the masses do: links break, and pins let go of their masses.
+struct Change {
+  double time = 0.0;  ///< s, above 0
+  std::vector<Index> links, pins;
+};
+
+/// A force on each of some masses that grows linearly from nothing at `from` to `force` at `to`, stays until
+/// `until`, and is gone, as linearly, at `gone`.
 struct Load {
   std::vector<Index> masses;
-  Vec3 force = Vec3::Zero();  ///< N on each mass
-  double from = 0.0;          ///< s
-  double to = 0.0;            ///< s
+  Vec3 force = Vec3::Zero();                                             ///< N on each mass
+  double from = 0.0;                                                     ///< s
+  double to = 0.0;                                                       ///< s
+  double until = std::numeric_limits<double>::infinity(), gone = until;  ///< s
 
   /// The share of the full force at a time, 0 to 1.
   double share(double time) const {
+    if (time >= until) return time >= gone ? 0.0 : (gone - time) / (gone - until);
     return time >= to ? 1.0 : time <= from ? 0.0 : (time - from) / (to - from);
   }
 };
-
-inline constexpr Index no_link = std::numeric_limits<Index>::max();
 
 /// A triangle of a sheet, drawn while none of its edges that are links is broken.
 struct Triangle {
@@ -105,6 +140,8 @@ struct Ragdoll {
   Index first_limit = 0, limit_count = 0;
 };
 
+struct State;
+
 /// Everything about a scene's physics that never changes during a run.
 struct Model {
   Vec3 gravity{0.0, -9.81, 0.0};  ///< m/s²
@@ -117,6 +154,8 @@ struct Model {
   std::vector<ContactPoint> contacts;  ///< what touches them; none without colliders and touching bodies
   std::vector<Limit> limits;
   std::vector<Joint> joints;  ///< those that resist
+  std::vector<Bend> bends;
+  std::vector<Change> changes;  ///< in order of time, no two at the same
   std::optional<Wind> wind;
   std::vector<Triangle> triangles;
   std::vector<Sheet> sheets;
@@ -124,7 +163,8 @@ struct Model {
   std::vector<Chain> chains;
   std::vector<Ragdoll> ragdolls;
   std::vector<Bone> bones;
-  std::vector<Index> breakable_links;  ///< those with a finite break_stretch or break_tension, in file order
+  std::vector<Index> breakable_links;  ///< those with a finite break_stretch or break_tension, or that
+                                       ///< break at a time, in file order
 };
 
 /// Sum of the lengths of all links (m): the size that relative accuracies refer to.
@@ -140,17 +180,27 @@ std::vector<bool> in_ragdoll(const Model& model);
 /// sticks.
 bool is_plain(const ContactPoint& point);
 
-/// The half-space that a collider is, where it is one that gives nothing back: ground; else null.
+/// The half-space that a collider is, where it is one that stays and gives nothing back: ground; else null.
 const HalfSpace* as_ground(const Collider& collider);
 
-/// Whether all there is to touch are half-spaces that give nothing back, and all that touches them are single
-/// masses: what methods that know only the ground can do.
+/// Whether all there is to touch are half-spaces that stay and give nothing back, and all that touches them
+/// are single masses: what methods that know only the ground can do.
 bool touches_only_ground(const Model& model);
 
 /// A link by its masses, for people: "rope.1 – rope.2".
 std::string link_name(const Model& model, std::size_t link);
 
-/// The links that a method solves: every one that has at least one free end.
+/// Every link that has at least one free end.
+std::vector<Index> links_with_a_free_end(const Model& model);
+
+/// The links that a method solves: every one that has at least one free end and acts both ways.
 std::vector<Index> solvable_links(const Model& model);
+
+/// Whether there are links that are one-sided, and limits on angles, which are limits of the other kinds.
+bool has_one_sided_links(const Model& model);
+bool limits_angles(const Model& model);
+
+/// Whether a limit holds nothing, because its link is broken.
+bool let_go(const Limit& limit, const State& state);
 
 }  // namespace taut

@@ -3,38 +3,22 @@
 #include <variant>
 #include <vector>
 
-#include "base/vectors.h"
+#include "model/solid_motion.h"
 
 namespace taut {
 
-/// A pin at rest + amplitude·sin(angular_frequency·t + phase), from t = 0 on.
-struct Sinusoid {
-  Vec3 rest = Vec3::Zero();        ///< m
-  Vec3 amplitude = Vec3::Zero();   ///< m
-  double angular_frequency = 0.0;  ///< rad/s
-  double phase = 0.0;              ///< rad
+/// A pin that a solid carries along: where it stands beside the solid as that stands in the model.
+struct Carried {
+  Vec3 place = Vec3::Zero();  ///< m
+  SolidMotion solid;
 };
 
-/// One knot of a path: where a pin is at a time.
-struct Knot {
-  double time = 0.0;             ///< s
-  Vec3 position = Vec3::Zero();  ///< m
-};
+Vec3 position_at(const Carried& carried, double time);
+Vec3 velocity_at(const Carried& carried, double time);
+Vec3 acceleration_at(const Carried& carried, double time);
 
-/// A pin that follows knots over time and stays put before the first and after the last one. Between knots a
-/// quintic polynomial with zero acceleration at every knot: position, velocity and acceleration are
-/// continuous everywhere (a kink would be an impulse). The velocities at the knots are harmonic means of the
-/// slopes on either side, zero where a coordinate turns or dwells, so no coordinate overshoots its knots or
-/// turns between them.
-struct Path {
-  std::vector<Knot> knots;       ///< times strictly increasing
-  std::vector<Vec3> velocities;  ///< m/s at the knots; filled by make_path()
-};
-
-using Motion = std::variant<Sinusoid, Path>;
-
-/// The path through the knots (at least one, times strictly increasing).
-Path make_path(std::vector<Knot> knots);
+/// How a pin is driven.
+using Motion = std::variant<Sinusoid, Path, Carried>;
 
 /// Where a motion is at a time (m).
 Vec3 position_at(const Motion& motion, double time);
@@ -44,5 +28,11 @@ Vec3 velocity_at(const Motion& motion, double time);
 
 /// The exact derivative of velocity_at() (m/s²).
 Vec3 acceleration_at(const Motion& motion, double time);
+
+/// The times (s) at which derivatives beyond the second jump.
+std::vector<double> kinks_of(const Motion& motion);
+
+/// The last time (s) at which anything of it changes: infinity where it goes on for ever.
+double last_change(const Motion& motion);
 
 }  // namespace taut

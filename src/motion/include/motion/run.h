@@ -77,6 +77,11 @@ class Run {
 
  private:
   double reached() const;
+  StepReport step_through_changes(double begin, double end);
+  void change(const Change& change);
+  void let_go_of(const std::vector<Index>& pins);
+  void release(const std::vector<Index>& pins);
+  double next_change() const;
   double step_time(std::int64_t step) const;
   bool own_step();
   StepReport guarded_step(double h, double end_time, int halvings);
@@ -86,7 +91,15 @@ class Run {
                           const std::vector<bool>& touched);
   void break_links(const std::vector<Index>& links, StepReport& report);
 
-  const Model& model_;
+  const Model* model_;               // as it is now: some pins may have let go
+  std::unique_ptr<Model> released_;  // that model, where they have
+  Execution execution_;
+  std::size_t changes_made_ = 0;  // of the model's
+  // By the last release: what knows the step before, and the model that it refers to where that is not the
+  // first one.
+  std::unique_ptr<Model> left_model_;
+  std::unique_ptr<Stepper> left_behind_;
+  double left_at_ = 0.0;  // s, when
   Settings settings_;
   const Method& method_;
   RunPolicy policy_;

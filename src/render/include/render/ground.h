@@ -14,9 +14,9 @@ struct Ground {
   bool solid = false;           ///< whether it stops anything; else it is only there to see heights by
 };
 
-/// What is drawn as ground, for pictures in which `up` (unit length) is up: the model's planes, a level one
-/// at the look's height where that is given; in a model without planes a level place that stops nothing, at
-/// the look's height or through the origin. Nothing where the look has no ground.
-std::vector<Ground> drawn_grounds(const Model& model, const Look& look, const Vec3& up);
+/// What is drawn as ground at a time (s), for pictures in which `up` (unit length) is up: the model's planes,
+/// a level one at the look's height where that is given; in a model without planes a level place that stops
+/// nothing, at the look's height or through the origin. Nothing where the look has no ground.
+std::vector<Ground> drawn_grounds(const Model& model, const Look& look, const Vec3& up, double time = 0.0);
 
 }  // namespace taut
