@@ -142,6 +142,7 @@ void FaceContacts::begin_step(const Vectors& start, const Vectors& predicted, do
   }
   finite_ = finite(start_) && finite(end_);
   if (!finite_) return;  // the step will be refused
+  search_.begin_step(start_, end_);
   find_pairs(true);
   for (std::size_t pair = 0; pair < search_.pairs().size(); ++pair) prepare(pair);
 }

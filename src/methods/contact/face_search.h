@@ -21,6 +21,9 @@ class FaceSearch {
   /// To be called before the first step and whenever other links are whole than before.
   void links_changed(const State& state);
 
+  /// To be called when a step begins, with where nodes start and are going.
+  void begin_step(const std::vector<Vec3>& start, const std::vector<Vec3>& end);
+
   /// Makes the pairs good for nodes that move straight from start to end; whether they were looked for anew.
   bool cover(const std::vector<Vec3>& start, const std::vector<Vec3>& end);
 
@@ -38,9 +41,12 @@ class FaceSearch {
   FaceMesh mesh_;
   WholeFaces whole_;
   std::vector<FacePair> pairs_;
-  std::vector<Vec3> middles_;  // m, of each node's room at the last search; none: pairs are not known
-  std::vector<double> rooms_;  // m, their radii
-  std::vector<double> used_;   // m of that, by the ways that were covered last
+  // All rooms move on together, as sheets do in the mean: a way that all go alone changes no distance.
+  Vec3 room_way_ = Vec3::Zero();    // m, in this step …
+  Vec3 room_shift_ = Vec3::Zero();  // m, … and from the last search to its start
+  std::vector<Vec3> middles_;       // m, of each node's room at the last search; none: pairs are not known
+  std::vector<double> rooms_;       // m, their radii
+  std::vector<double> used_;        // m of that, by the ways that were covered last
 };
 
 }  // namespace taut
