@@ -121,12 +121,14 @@ class FaceStart {
     std::vector<FacePair> pairs;
     find_face_pairs(mesh_, whole_, places_, std::vector<double>(mesh_.size(), 0.0), most_near_pairs, pairs);
     for (const FacePair& pair : pairs) {
-      const auto [a, b, c, d] = pair.nodes;
+      const auto& nodes = pair.nodes;
       const double apart = kept_apart(mesh_, pair);
-      if (mesh_.of_solid(a) || mesh_.of_solid(d) || !(pair.distance < apart * (1.0 - rounding))) continue;
-      note(Kind::near, a, d, [&] {
-        const std::string one = pair.edges ? names_of(std::array{a, b}) : name_of(a);
-        const std::string other = pair.edges ? names_of(std::array{c, d}) : names_of(std::array{b, c, d});
+      if (mesh_.of_solid(nodes[0]) || mesh_.of_solid(nodes[3]) || !(pair.distance < apart * (1.0 - rounding)))
+        continue;
+      note(Kind::near, nodes[0], nodes[3], [&] {
+        const std::string one = pair.edges ? names_of(std::array{nodes[0], nodes[1]}) : name_of(nodes[0]);
+        const std::string other = pair.edges ? names_of(std::array{nodes[2], nodes[3]})
+                                             : names_of(std::array{nodes[1], nodes[2], nodes[3]});
         return fmt::format(
             "faces must start at least their thickness apart, {:.4g} m: {} and {} are {:.4g} m apart", apart,
             one, other, pair.distance);

@@ -98,7 +98,7 @@ void add_sheet_triangles(FaceMesh& mesh, const Model& model, const Sheet& sheet,
   for (Index i = sheet.first_triangle; i < sheet.first_triangle + sheet.triangle_count; ++i) {
     std::array<std::uint32_t, 3> nodes{};
     for (std::size_t k = 0; k < 3; ++k) nodes[k] = node_of[model.triangles[i].masses[k] - sheet.first_mass];
-    std::ranges::rotate(nodes, std::ranges::min_element(nodes));
+    std::rotate(nodes.begin(), std::ranges::min_element(nodes), nodes.end());
     triangles.emplace_back(nodes, i);
   }
   std::ranges::sort(triangles);

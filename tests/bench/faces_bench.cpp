@@ -1,7 +1,6 @@
 // What a step costs where faces touch, by the number of triangles, on one thread: a sheet that falls freely
-// and flat, so that all is looked for anew in most steps and nothing is found; two that lie on each other on
-// the ground, so that all of it is in contact; and the first without faces, for what the rest of a step
-// takes.
+// and flat, so that nothing is near; two that lie on each other on the ground, so that all of it is in
+// contact; and the first without faces, for what the rest of a step takes.
 #include <benchmark/benchmark.h>
 
 #include <cmath>

@@ -1,72 +1,15 @@
-// Faces that touch: nothing passes through anything at any speed, thickness, friction, momentum, and what is
-// refused.
+// Faces that touch: nothing passes through anything at any speed, thickness, friction, momentum, bits, and
+// what is refused.
 
-#include <random>
+#include <fmt/format.h>
 
-#include "exact_faces.h"
-#include "fixtures.h"
-#include "model/face_depth.h"
-#include "model/measures.h"
-#include "model/tangles.h"
+#include "face_scenes.h"
 #include "other_process.h"
 
 namespace taut::test {
 namespace {
 
-std::vector<std::string> face_methods() {
-  return methods_that([](const Capabilities& can) { return can.faces; });
-}
-
 class FaceMethods : public ::testing::TestWithParam<std::string> {};
-
-// A sheet around a middle, with its edges' directions as the first and third column of a frame.
-SheetSpec sheet_around(std::string name, const Vec3& middle, const Eigen::Matrix3d& frame, double width,
-                       int cells, double thickness) {
-  SheetSpec sheet;
-  sheet.name = std::move(name);
-  sheet.rows = sheet.columns = cells + 1;
-  const Vec3 along = width * frame.col(0), down = width * frame.col(2);
-  sheet.from = middle - 0.5 * (along + down);
-  sheet.to = sheet.from + along;
-  sheet.down = down;
-  sheet.mass = 0.2 * width * width;
-  sheet.properties.stiffness = 500.0;
-  sheet.properties.damping = 0.2;
-  sheet.diagonals = sheet.properties;
-  sheet.faces = FacesSpec{thickness, 0.3, true};
-  sheet.collides = true;
-  return sheet;
-}
-
-// For a method that knows no springs, rigid links along rows and columns.
-Built built_for(const std::string& method, Description description) {
-  if (!find_method(method)->can.stiffness)
-    for (SheetSpec& sheet : description.sheets) {
-      sheet.properties = {};
-      sheet.diagonals.reset();
-    }
-  return build_valid(description);
-}
-
-Eigen::Matrix3d random_frame(std::mt19937& random) {
-  std::normal_distribution<double> normal;
-  return Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random))
-      .normalized()
-      .toRotationMatrix();
-}
-
-// Signed volume's side of a point over the triangle of a flat-ish sheet that it is above or below.
-bool is_above(const Vec3& point, const Model& model, const State& state, const Sheet& sheet) {
-  for (Index i = sheet.first_triangle; i < sheet.first_triangle + sheet.triangle_count; ++i) {
-    const auto& masses = model.triangles[i].masses;
-    const Vec3 a = state.position.at(masses[0]), b = state.position.at(masses[1]),
-               c = state.position.at(masses[2]);
-    const Vec3 down(0.0, -1e3, 0.0), up(0.0, 1e3, 0.0);
-    if (goes_through(point, point + down, {a, b, c})) return true;
-    if (goes_through(point, point + up, {a, b, c})) return false;
-  }
-  return true;  // beside it
-}
 
 void set_speed(Built& built, const Sheet& sheet, const Vec3& velocity) {
   for (Index i = 0; i < sheet.rows * sheet.columns; ++i)
@@ -203,90 +146,6 @@ TEST_P(FaceMethods, ThicknessIsHeld) {
   EXPECT_LT(deepest, 0.3 * 0.02);
   EXPECT_LT(deepest_face(built.model, moving.state()), 0.02 * 0.02);
   EXPECT_LT(fastest_speed(moving.state()), 0.05);
-}
-
-// A coarse cloth falls on a box that stands on a corner, and on a ball smaller than its cells.
-Description cloth_over(const BoxSpec& box, bool faces) {
-  Description description;
-  SheetSpec cloth = sheet_around("cloth", {0.03, 0.75, 0.04}, Eigen::Matrix3d::Identity(), 1.2, 8, 0.02);
-  cloth.collides = false;
-  if (!faces) {
-    cloth.faces.reset();
-    cloth.radius = 0.01;
-  }
-  description.sheets = {cloth};
-  description.boxes = {box};
-  description.drag = 0.5;
-  return description;
-}
-
-BoxSpec box_on_its_corner() {
-  BoxSpec box;
-  box.size = {0.6, 0.6, 0.6};
-  box.turn = {45.0, 0.0, 35.26438968};
-  box.friction = 1.0;
-  return box;
-}
-
-TEST_P(FaceMethods, NoCornerOfABoxShowsThrough) {
-  const BoxSpec box = box_on_its_corner();
-  const Built built = built_for(GetParam(), cloth_over(box, true));
-  taut::Run moving(built.model, built.start, settings(GetParam(), 600.0, 2));
-  double deepest = 0.0;
-  while (moving.steps() < 900) {
-    ASSERT_TRUE(moving.step()) << moving.failure();
-    ASSERT_EQ(exact_box_tangles(std::get<Box>(built.model.colliders[0].shape), built.model, moving.state()),
-              0U)
-        << moving.steps();
-    deepest = std::max(deepest, deepest_penetration(built.model, moving.state()));
-  }
-  EXPECT_LT(deepest, 0.3 * 0.01);
-}
-
-// What used to be: masses keep off, faces don't, and nothing is measured.
-TEST_P(FaceMethods, WithoutFacesACornerShowsThrough) {
-  const Built built = built_for(GetParam(), cloth_over(box_on_its_corner(), false));
-  taut::Run moving(built.model, built.start, settings(GetParam(), 600.0, 2));
-  std::size_t through = 0;
-  while (moving.steps() < 900 && moving.step())
-    through = std::max(through, exact_box_tangles(std::get<Box>(built.model.colliders[0].shape), built.model,
-                                                  moving.state()));
-  EXPECT_GT(through, 0U);
-}
-
-TEST_P(FaceMethods, NoSmallBallOrRodShowsThrough) {
-  Description description = cloth_over(box_on_its_corner(), true);
-  description.boxes.clear();
-  SphereSpec ball;
-  ball.centre = {0.0, 0.3, 0.0};
-  ball.radius = 0.03;
-  CapsuleSpec rod;
-  rod.from = {0.3, -0.4, 0.2};
-  rod.to = {0.3, 0.4, 0.2};
-  rod.radius = 0.01;
-  description.spheres = {ball};
-  description.capsules = {rod};
-  const Built built = built_for(GetParam(), description);
-  taut::Run moving(built.model, built.start, settings(GetParam(), 600.0, 2));
-  double least = infinity, deepest = 0.0;
-  while (moving.steps() < 480) {
-    ASSERT_TRUE(moving.step()) << moving.failure();
-    for (const Triangle& triangle : built.model.triangles) {
-      std::array<Vec3, 3> corners;
-      for (std::size_t k = 0; k < 3; ++k) corners[k] = moving.state().position.at(triangle.masses[k]);
-      for (const Collider& collider : built.model.colliders)
-        for (int i = 0; i <= 24; ++i)  // places all over the triangle
-          for (int j = 0; i + j <= 24; ++j) {
-            const Vec3 place =
-                corners[0] + (corners[1] - corners[0]) * (i / 24.0) + (corners[2] - corners[0]) * (j / 24.0);
-            least = std::min(least, nearest_surface(collider.shape, place).distance);
-          }
-    }
-    deepest = std::max(deepest, deepest_penetration(built.model, moving.state()));
-  }
-  EXPECT_GT(least, 0.0);
-  EXPECT_LT(deepest, 0.01);
-  EXPECT_NEAR(least, 0.01 - deepest, 2e-3);  // what is measured is what is
 }
 
 // A cloth that falls crumpled onto a box and the ground, and tears.

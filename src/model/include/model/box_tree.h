@@ -22,10 +22,11 @@ struct Bounds {
   }
   bool meets(const Bounds& other) const {
     // Without branches: which way they would go can't be guessed.
-    const bool x = (low[0] <= other.high[0]) & (high[0] >= other.low[0]);
-    const bool y = (low[1] <= other.high[1]) & (high[1] >= other.low[1]);
-    const bool z = (low[2] <= other.high[2]) & (high[2] >= other.low[2]);
-    return x & y & z;
+    int held = 0;
+    for (int axis = 0; axis < 3; ++axis)
+      held +=
+          static_cast<int>(low[axis] <= other.high[axis]) + static_cast<int>(high[axis] >= other.low[axis]);
+    return held == 6;
   }
 };
 
