@@ -37,8 +37,7 @@ class NewtonStepper final : public SwappingStepper {
       if (!state.broken(link)) whole.push_back(link);
     projection_.reset();
     net_.reset();
-    if (!model_.limits.empty() || path_order(model_, whole) ||
-        tree_order(model_, whole))
+    if (!model_.limits.empty() || path_order(model_, whole) || tree_order(model_, whole))
       projection_.emplace(model_, make_link_system(model_, whole), state);
     else
       net_.emplace(model_, whole, nominal_step_);

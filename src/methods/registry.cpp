@@ -132,7 +132,8 @@ std::vector<std::string> capability_problems(const Model& model, const Method& m
         "shake",
         method.name, model.limits.size(), method.can.most_limits));
   need(!model.joints.empty(), &Capabilities::joints, "joints with damping or friction");
-  need(!only_ground, &Capabilities::colliders, "solids but planes without rebound, or bodies that touch");
+  need(!only_ground, &Capabilities::colliders,
+       "solids but planes that stay and have no rebound, or bodies that touch");
   need(!model.faces.empty(), &Capabilities::faces, "faces that touch");
   need(model.drag > 0.0, &Capabilities::drag, "drag");
   need(stretch, &Capabilities::break_stretch, "breaking by stretch");

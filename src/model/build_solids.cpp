@@ -41,8 +41,8 @@ Path turning_path(const std::vector<std::array<double, 2>>& angles) {
 
 template <typename Spec>
 std::optional<SolidMotion> motion_of(const Spec& spec) {
-  const MotionSpec& way = spec.moves.motion;
-  if (!spec.moves.rotation && !way.sinusoid && way.path.empty()) return std::nullopt;
+  const WaySpec& way = spec.moves.motion;
+  if (!spec.moves.rotation && way.empty()) return std::nullopt;
   SolidMotion motion;
   motion.from = motion.centre = centre_of(spec);
   if (way.sinusoid)

@@ -26,8 +26,7 @@ void check_rotation(Checker& check, const RotationSpec& rotation) {
 
 void check_moves(Checker& check, const SolidMotionSpec& spec) {
   if (!spec.name.empty()) check.name(spec.name);
-  check.require(spec.motion.with.empty(), "motion", "motion: \"with\" is for pins; a solid moves by itself");
-  check.motion(spec.motion, true, "motion");
+  check.way(spec.motion.sinusoid, spec.motion.path, "motion");
   if (spec.rotation) check_rotation(check, *spec.rotation);
 }
 

@@ -87,21 +87,24 @@ class Checker {
   void motion(const MotionSpec& motion, bool pinned, std::string_view key) {
     if (!motion.sinusoid && motion.path.empty() && motion.with.empty()) return;
     require(pinned, key, fmt::format("{} is only for a pinned mass", key));
-    require(!motion.sinusoid || motion.path.empty(), key,
+    way(motion.sinusoid, motion.path, key);
+    if (!motion.with.empty()) carried_by(motion.with, key);
+  }
+  void way(const std::optional<SinusoidSpec>& sinusoid, const std::vector<Knot>& path, std::string_view key) {
+    require(!sinusoid || path.empty(), key,
             fmt::format("{} has both an amplitude and a path; it can be only one of them", key));
-    if (motion.sinusoid) {
-      finite(motion.sinusoid->amplitude, key);
-      require(std::isfinite(motion.sinusoid->angular_frequency) && std::isfinite(motion.sinusoid->phase), key,
+    if (sinusoid) {
+      finite(sinusoid->amplitude, key);
+      require(std::isfinite(sinusoid->angular_frequency) && std::isfinite(sinusoid->phase), key,
               fmt::format("{} must have finite numbers", key));
     }
     double last = -infinity;
-    for (const Knot& knot : motion.path) {
+    for (const Knot& knot : path) {
       require(std::isfinite(knot.time) && knot.time > last, key, fmt::format("{}: times must increase", key));
       finite(knot.position, key);
       last = knot.time;
     }
-    for (std::size_t i = 1; i < motion.path.size(); ++i) no_jump(motion.path[i - 1], motion.path[i], key);
-    if (!motion.with.empty()) carried_by(motion.with, key);
+    for (std::size_t i = 1; i < path.size(); ++i) no_jump(path[i - 1], path[i], key);
   }
   /// Solids that have a name, which may carry pins.
   void know_solids(const Description& description) {

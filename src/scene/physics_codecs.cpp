@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "physics_facts.h"
+
 namespace taut {
 namespace {
 
@@ -11,7 +13,7 @@ const Keys<LinkProperties>& extra_link_keys() {
   return keys;
 }
 
-// MotionSpec as it is written: a sinusoid's keys or a path.
+// A motion as it is written: a sinusoid's keys or a path, or of a pin the name of what carries it.
 struct WrittenMotion {
   std::optional<Vec3> amplitude;
   std::optional<double> angular_frequency, phase;
@@ -19,14 +21,14 @@ struct WrittenMotion {
   std::optional<std::string> with;
 };
 
-const Keys<WrittenMotion>& motion_keys() {
-  static const Keys<WrittenMotion> keys{
-      key<WrittenMotion>("amplitude", &WrittenMotion::amplitude,
-                         {.unit = "m",
-                          .range = between(-far, far),
-                          .fallback = "none",
-                          .help = "it is at its place at the start + amplitude · sin(angular_frequency · "
-                                  "t + phase)"}),
+Keys<WrittenMotion> way_keys() {
+  return {
+      key<WrittenMotion>(
+          "amplitude", &WrittenMotion::amplitude,
+          {.unit = "m",
+           .range = between(-far, far),
+           .fallback = "none",
+           .help = "it is at its place at the start + amplitude · sin(angular_frequency · t + phase)"}),
       key<WrittenMotion>(
           "angular_frequency", &WrittenMotion::angular_frequency,
           {.unit = "rad/s", .range = between(-far, far), .fallback = "none", .help = "see amplitude"}),
@@ -37,13 +39,25 @@ const Keys<WrittenMotion>& motion_keys() {
                          {.unit = "s, m, m, m",
                           .range = between(-far, far),
                           .fallback = "none",
-                          .help = "in place of the others: where it is at which times, "
-                                  "in order; between them a smooth curve that starts and ends at rest"}),
-      key<WrittenMotion>("with", &WrittenMotion::with,
-                         {.fallback = "none",
-                          .help = "in place of the others, for pins: the name of a solid that carries it, "
-                                  "as a drum does the end of its rope"}),
+                          .help = "in place of the others: where it is at which times, in order; between "
+                                  "them a smooth curve that starts and ends at rest"}),
   };
+}
+
+const Keys<WrittenMotion>& solid_way_keys() {
+  static const Keys<WrittenMotion> keys = way_keys();
+  return keys;
+}
+
+const Keys<WrittenMotion>& motion_keys() {
+  static const Keys<WrittenMotion> keys =
+      way_keys() + Keys<WrittenMotion>{
+                       key<WrittenMotion>(
+                           "with", &WrittenMotion::with,
+                           {.fallback = "none",
+                            .help = "in place of the others: the name of a solid that carries it, as a drum "
+                                    "does the end of its rope"}),
+                   };
   return keys;
 }
 
@@ -145,11 +159,12 @@ const Keys<FacesSpec>& faces_keys() {
   return keys;
 }
 
-// A sinusoid needs both its size and its speed, a path at least one place; one of the two it must be.
-std::string motion_problem(const WrittenMotion& written) {
+// A sinusoid needs both its size and its speed, a path at least one place; one of the ways it must be.
+std::string motion_problem(const WrittenMotion& written, bool of_pin) {
   const bool swings = written.amplitude || written.angular_frequency || written.phase;
   if (swings + written.path.has_value() + written.with.has_value() != 1)
-    return "needs either \"amplitude\" and \"angular_frequency\", or \"path\", or \"with\"";
+    return fmt::format("needs either \"amplitude\" and \"angular_frequency\", or \"path\"{}",
+                       of_pin ? ", or \"with\"" : "");
   if (written.with && written.with->empty()) return "needs the name of a solid in \"with\"";
   if (swings && !written.amplitude) return "needs the key \"amplitude\"";
   if (swings && !written.angular_frequency) return "needs the key \"angular_frequency\"";
@@ -157,32 +172,28 @@ std::string motion_problem(const WrittenMotion& written) {
   return {};
 }
 
-}  // namespace
-
-std::vector<KeyInfo> Codec<MotionSpec>::inner() {
-  return infos(motion_keys());
-}
-
-bool Codec<MotionSpec>::read(const Node& node, const KeyInfo& info, MotionSpec& out, Reader& reader) {
-  WrittenMotion written;
+bool read_motion(const Node& node, const KeyInfo& info, const Keys<WrittenMotion>& keys, bool of_pin,
+                 WrittenMotion& written, Reader& reader) {
   const std::string label = in_quotes(info.name);
   const std::size_t errors = reader.count();
-  if (!read_table(node, motion_keys(), label, TableKind::value, written, reader)) return false;
+  if (!read_table(node, keys, label, TableKind::value, written, reader)) return false;
   if (reader.count() > errors) return false;
-  if (const std::string problem = motion_problem(written); !problem.empty()) {
-    reader.unreadable(node.origin, label + " " + problem);
-    return false;
-  }
-  if (written.path)
-    out.path = *written.path;
-  else if (written.with)
-    out.with = *written.with;
-  else
-    out.sinusoid = SinusoidSpec{*written.amplitude, *written.angular_frequency, written.phase.value_or(0.0)};
-  return true;
+  const std::string problem = motion_problem(written, of_pin);
+  if (!problem.empty()) reader.unreadable(node.origin, label + " " + problem);
+  return problem.empty();
 }
 
-std::string Codec<MotionSpec>::write(const MotionSpec& value) {
+// Into whatever has a sinusoid and a path.
+template <class Spec>
+void take_way(const WrittenMotion& written, Spec& out) {
+  if (written.path)
+    out.path = *written.path;
+  else if (written.amplitude)
+    out.sinusoid = SinusoidSpec{*written.amplitude, *written.angular_frequency, written.phase.value_or(0.0)};
+}
+
+template <class Spec>
+WrittenMotion written_way(const Spec& value) {
   WrittenMotion written;
   if (value.sinusoid) {
     written.amplitude = value.sinusoid->amplitude;
@@ -190,12 +201,43 @@ std::string Codec<MotionSpec>::write(const MotionSpec& value) {
     written.phase = value.sinusoid->phase;
   } else if (!value.path.empty()) {
     written.path = value.path;
-  } else if (!value.with.empty()) {
-    written.with = value.with;
-  } else {
-    return {};
   }
-  return write_inline(motion_keys(), written);
+  return written;
+}
+
+}  // namespace
+
+std::vector<KeyInfo> Codec<WaySpec>::inner() {
+  return infos(solid_way_keys());
+}
+
+bool Codec<WaySpec>::read(const Node& node, const KeyInfo& info, WaySpec& out, Reader& reader) {
+  WrittenMotion written;
+  if (!read_motion(node, info, solid_way_keys(), false, written, reader)) return false;
+  take_way(written, out);
+  return true;
+}
+
+std::string Codec<WaySpec>::write(const WaySpec& value) {
+  return value.empty() ? "" : write_inline(solid_way_keys(), written_way(value));
+}
+
+std::vector<KeyInfo> Codec<MotionSpec>::inner() {
+  return infos(motion_keys());
+}
+
+bool Codec<MotionSpec>::read(const Node& node, const KeyInfo& info, MotionSpec& out, Reader& reader) {
+  WrittenMotion written;
+  if (!read_motion(node, info, motion_keys(), true, written, reader)) return false;
+  take_way(written, out);
+  out.with = written.with.value_or("");
+  return true;
+}
+
+std::string Codec<MotionSpec>::write(const MotionSpec& value) {
+  WrittenMotion written = written_way(value);
+  if (!value.with.empty()) written.with = value.with;
+  return written.amplitude || written.path || written.with ? write_inline(motion_keys(), written) : "";
 }
 
 std::vector<KeyInfo> Codec<std::optional<RotationSpec>>::inner() {

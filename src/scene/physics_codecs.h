@@ -54,7 +54,16 @@ Keys<T> link_property_keys(Access access) {
   };
 }
 
-/// How a pin is driven: a sinusoid's keys or a path.
+/// How a solid is moved: a sinusoid's keys or a path.
+template <>
+struct Codec<WaySpec> {
+  static std::string type() { return "a table"; }
+  static std::vector<KeyInfo> inner();
+  static bool read(const Node& node, const KeyInfo& info, WaySpec& out, Reader& reader);
+  static std::string write(const WaySpec& value);
+};
+
+/// How a pin is driven: as a solid, or with one.
 template <>
 struct Codec<MotionSpec> {
   static std::string type() { return "a table"; }

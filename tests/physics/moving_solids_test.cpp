@@ -23,14 +23,14 @@ MassSpec ball_at(const Vec3& place, double radius = 0.05) {
   return ball;
 }
 
-MotionSpec path(std::vector<Knot> knots) {
-  MotionSpec motion;
+WaySpec path(std::vector<Knot> knots) {
+  WaySpec motion;
   motion.path = std::move(knots);
   return motion;
 }
 
 // A tray of 2 m by 2 m whose upper side is at y = 0, and a ball on it.
-Description tray(const MotionSpec& motion, double friction) {
+Description tray(const WaySpec& motion, double friction) {
   Description description;
   BoxSpec box;
   box.centre = {0, -0.1, 0};
@@ -55,7 +55,7 @@ TEST(MovingSolids, ATrayLiftsWhatLiesOnIt) {
 TEST(MovingSolids, FrictionCarriesAlongUpToItsBound) {
   for (const double friction : {0.6, 0.05}) {
     // A swing of 0.2 m at 4 rad/s: 3.2 m/s² at most, a third of g.
-    MotionSpec swing;
+    WaySpec swing;
     swing.sinusoid = SinusoidSpec{{0.2, 0, 0}, 4.0, -0.5 * std::numbers::pi};
     const Built built = build_valid(tray(swing, friction));
     const double sticks = 0.2 * std::sin(4.0 * 1.5 - 0.5 * std::numbers::pi) + 0.2;
@@ -128,7 +128,7 @@ TEST(MovingSolids, ReboundIsAsSeenFromTheSolid) {
 }
 
 TEST(MovingSolids, EachShapePushes) {
-  const MotionSpec along = path({{0, {-1, 0, 0}}, {2, {0, 0, 0}}});
+  const WaySpec along = path({{0, {-1, 0, 0}}, {2, {0, 0, 0}}});
   Description description;
   description.gravity = Vec3::Zero();
   description.masses = {ball_at({-0.4, 0, 0})};

@@ -136,6 +136,72 @@ inline std::map<std::string, KeyCase> key_cases() {
       {"wind.density", {"flag", "1.0", ""}},
       {"wind.drag_coefficient", {"flag", "1.0", ""}},
   };
+  const auto add_link_keys = [&all](const std::string& of, const std::string& slack, const std::string& loose,
+                                    const std::string& timed, const std::string& tearing) {
+    all[of + "acts"] = {slack, "push", ""};
+    all[of + "longest"] = {loose, "1.01", ""};
+    all[of + "break_at"] = {timed, "0.1", ""};
+    all[of + "scatter"] = {tearing, "0.9", ""};
+    all[of + "scatter_seed"] = {tearing, "3", ""};
+  };
+  add_link_keys("chain.", "slack rope", "loose rope", "rope", "tearing rope");
+  add_link_keys("link.", "slack pendulum", "loose pendulum", "pendulum", "tearing pendulum");
+  add_link_keys("sheet.", "slack cloth", "loose cloth", "cloth", "tearing cloth");
+  for (const std::string family : {"weft", "diagonals", "skip_one"})
+    add_link_keys("sheet." + family + ".", "slack cloth", "loose cloth",
+                  family == "weft" ? "cloth of warp and weft" : "springy cloth", "tearing cloth");
+  all["sheet.weft"] = {"springy cloth", "{ stiffness = 60.0 }", ""};
+  all["sheet.weft.stiffness"] = {"cloth of warp and weft", "60.0", ""};
+  all["sheet.weft.damping"] = {"cloth of warp and weft", "1.0", ""};
+  all["sheet.weft.break_stretch"] = {"cloth of warp and weft", "1.01", ""};
+  all["sheet.weft.break_tension"] = {"cloth of warp and weft", "0.1", ""};
+  all["chain.first_release"] = {"rope", "0.1", ""};
+  all["chain.last_release"] = {"swung rope", "0.1", ""};
+  all["sheet.release"] = {"cloth", "0.1", ""};
+  all["mass.release"] = {"pendulum", "0.1", "mass.hook.release"};
+  all["load.until"] = {"rope with a load that ends", "0.15", ""};
+  all["load.gone"] = {"rope with a load that ends", "0.25", ""};
+  all["chain.bending"] = {"bent rope", "{ stiffness = 0.1 }", ""};
+  all["chain.bending.stiffness"] = {"bent rope", "0.1", ""};
+  all["chain.bending.from_start"] = {"bent rope", "true", ""};
+  all["sheet.bending"] = {"stiff cloth", "{ stiffness = 0.002 }", ""};
+  all["sheet.bending.stiffness"] = {"stiff cloth", "0.002", ""};
+  all["sheet.bending.bias"] = {"stiff cloth", "0.001", ""};
+  all["sheet.bending.from_start"] = {"stiff cloth", "true", ""};
+  all["sheet.bending.warp"] = {"cloth stiff along warp and weft", "0.002", ""};
+  all["sheet.bending.weft"] = {"cloth stiff along warp and weft", "0.002", ""};
+  all["seam.sheet"] = {"seam in a cloth", "other", ""};
+  all["seam.row"] = {"seam in a cloth", "0", ""};
+  all["seam.column"] = {"seam in a cloth", "0", "seam.1.column"};
+  all["seam.strength"] = {"seam in a cloth", "0.4", ""};
+  all["seam.a"] = {"seam between masses", R"(["cloth.1.0"])", ""};
+  all["seam.b"] = {"seam between masses", R"(["cloth.2.0"])", ""};
+  all["seam.break_stretch"] = {"seam between masses", "1.03", ""};
+  all["seam.break_tension"] = {"seam between masses", "0.6", ""};
+  all["seam.break_at"] = {"seam that opens", "0.1", ""};
+  all["mass.motion.with"] = {"carried rope", "wheel", "mass.hook.motion.with"};
+  for (const std::string end : {"first", "last"})
+    all["chain." + end + "_motion.with"] = {"carried rope", "wheel", ""};
+  for (const std::string solid : {"plane", "sphere", "capsule", "box"}) {
+    all[solid + ".motion"] = {"solids that swing",
+                              "{ amplitude = [0.03, 0.01, 0.0], angular_frequency = 9.0 }", ""};
+    all[solid + ".motion.amplitude"] = {"solids that swing", "[0.03, 0.01, 0.0]", ""};
+    all[solid + ".motion.angular_frequency"] = {"solids that swing", "8.0", ""};
+    all[solid + ".motion.phase"] = {"solids that swing", "0.2", ""};
+    const double x = solid == "capsule" ? 5.0
+                     : solid == "box"   ? 10.0
+                                        : 0.0,
+                 y = solid == "plane" ? -2.05 : 0.0;
+    all[solid + ".motion.path"] = {"solids that are led",
+                                   fmt::format("[[0.0, {0}, {1}, 0.0], [0.3, {2}, {1}, 0.0]]", x, y, x + 0.2),
+                                   ""};
+    all[solid + ".rotation"] = {"solids that swing", "{ axis = [0.0, 0.1, 1.0], rate = 20.0 }", ""};
+    all[solid + ".rotation.axis"] = {"solids that swing", "[0.1, 1.0, 0.2]", ""};
+    all[solid + ".rotation.through"] = {"solids that swing", "[0.1, 0.0, 0.1]", ""};
+    all[solid + ".rotation.rate"] = {"solids that swing", "40.0", ""};
+    all[solid + ".rotation.rise"] = {"solids that swing", "0.2", ""};
+    all[solid + ".rotation.angle"] = {"solids that are led", "[[0.0, 0.0], [0.3, 9.0]]", ""};
+  }
   for (const std::string end : {"first", "last"}) {
     const std::string key = "chain." + end + "_motion", x = end == "first" ? "0.0" : "0.9";
     all[key] = {"swung rope", fmt::format("{{ path = [[0.0, {0}, 2.0, 0.0], [0.3, {0}, 2.1, 0.0]] }}", x),

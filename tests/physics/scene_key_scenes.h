@@ -248,6 +248,387 @@ to = [5.5, 0.0, 0.0]
 [[box]]
 centre = [10.0, 0.0, 0.0]
 )"},
+    {"slack rope", R"(
+[[chain]]
+name = "rope"
+from = [0.0, 2.0, 0.0]
+to = [0.9, 2.0, 0.0]
+links = 4
+length = 1.0
+mass = 0.5
+pinned = ["first"]
+acts = "pull"
+LINKS
+)"},
+    {"loose rope", R"(
+[[chain]]
+name = "rope"
+from = [0.0, 2.0, 0.0]
+to = [0.9, 2.0, 0.0]
+links = 4
+length = 1.0
+mass = 0.5
+pinned = ["first"]
+acts = "between"
+longest = 1.2
+LINKS
+)"},
+    {"bent rope", R"(
+[[chain]]
+name = "rope"
+from = [0.0, 2.0, 0.0]
+to = [0.9, 2.0, 0.0]
+links = 4
+length = 1.0
+mass = 0.5
+pinned = ["first"]
+bending = { stiffness = 0.05 }
+LINKS
+)"},
+    {"tearing rope", R"(
+[[chain]]
+name = "rope"
+from = [0.0, 2.0, 0.0]
+to = [1.0, 2.0, 0.0]
+links = 4
+mass = 0.5
+pinned = ["first"]
+stiffness = 500.0
+break_tension = 8.0
+scatter = 0.2
+[[load]]
+masses = ["rope.4"]
+force = [30.0, 0.0, 0.0]
+to = 0.3
+)"},
+    {"rope with a load that ends", R"(
+[[chain]]
+name = "rope"
+from = [0.0, 2.0, 0.0]
+to = [1.0, 2.0, 0.0]
+links = 4
+mass = 0.5
+pinned = ["first"]
+LINKS
+[[load]]
+masses = ["rope.4"]
+force = [0.0, 0.3, 0.7]
+until = 0.1
+gone = 0.2
+)"},
+    {"carried rope", R"(
+[[chain]]
+name = "rope"
+from = [0.0, 2.0, 0.0]
+to = [0.9, 2.0, 0.0]
+links = 4
+length = 1.0
+mass = 0.5
+pinned = ["first", "last"]
+first_motion = { with = "drum" }
+last_motion = { with = "drum" }
+LINKS
+[[mass]]
+name = "hook"
+position = [0.0, 3.0, 0.0]
+pinned = true
+motion = { with = "drum" }
+[[mass]]
+name = "bob"
+position = [0.5, 3.0, 0.0]
+[[link]]
+a = "hook"
+b = "bob"
+LINKS
+[[sphere]]
+name = "drum"
+centre = [0.0, -50.0, 0.0]
+rotation = { axis = [0.0, 0.0, 1.0], rate = 1.0 }
+[[sphere]]
+name = "wheel"
+centre = [9.0, -50.0, 0.0]
+rotation = { axis = [0.0, 0.0, 1.0], rate = 2.0 }
+)"},
+    {"slack cloth", R"(
+[[sheet]]
+name = "cloth"
+rows = 3
+columns = 3
+from = [0.0, 2.0, 0.0]
+to = [0.4, 2.0, 0.0]
+down = [0.0, -0.2, 0.2]
+mass = 0.3
+pinned = ["top-left"]
+stiffness = 100.0
+acts = "pull"
+weft = { stiffness = 90.0, acts = "pull" }
+diagonals = { stiffness = 50.0, acts = "pull" }
+skip_one = { stiffness = 50.0, acts = "pull" }
+)"},
+    {"loose cloth", R"(
+[[sheet]]
+name = "cloth"
+rows = 3
+columns = 3
+from = [0.0, 2.0, 0.0]
+to = [0.4, 2.0, 0.0]
+down = [0.0, -0.2, 0.2]
+mass = 0.3
+pinned = ["top-left"]
+stiffness = 100.0
+acts = "between"
+longest = 1.05
+weft = { stiffness = 90.0, acts = "between", longest = 1.05 }
+diagonals = { stiffness = 50.0, acts = "between", longest = 1.05 }
+skip_one = { stiffness = 50.0, acts = "between", longest = 1.05 }
+)"},
+    {"cloth of warp and weft", R"(
+[[sheet]]
+name = "cloth"
+rows = 3
+columns = 3
+from = [0.0, 2.0, 0.0]
+to = [0.4, 2.0, 0.0]
+down = [0.0, -0.2, 0.2]
+mass = 0.3
+pinned = ["top-left"]
+stiffness = 100.0
+weft = { stiffness = 90.0 }
+)"},
+    {"tearing cloth", R"(
+[[sheet]]
+name = "cloth"
+rows = 3
+columns = 3
+from = [0.0, 2.0, 0.0]
+to = [0.4, 2.0, 0.0]
+down = [0.0, -0.2, 0.2]
+mass = 0.3
+pinned = ["top", "left"]
+stiffness = 100.0
+break_tension = 1.2
+scatter = 0.3
+weft = { stiffness = 100.0, break_tension = 1.2, scatter = 0.3 }
+diagonals = { stiffness = 50.0, break_tension = 0.6, scatter = 0.3 }
+skip_one = { stiffness = 50.0, break_tension = 0.6, scatter = 0.3 }
+[[load]]
+masses = ["cloth.*.2", "cloth.2.*"]
+force = [8.0, -4.0, 4.0]
+to = 0.3
+)"},
+    {"stiff cloth", R"(
+[[sheet]]
+name = "cloth"
+rows = 4
+columns = 7
+from = [0.0, 2.0, 0.0]
+to = [0.4, 2.0, 0.0]
+down = [0.0, -0.1, 0.3]
+mass = 0.3
+fullness = 1.4
+hooks = { every = 3 }
+bending = { stiffness = 0.001 }
+LINKS
+)"},
+    {"cloth stiff along warp and weft", R"(
+[[sheet]]
+name = "cloth"
+rows = 4
+columns = 7
+from = [0.0, 2.0, 0.0]
+to = [0.4, 2.0, 0.0]
+down = [0.0, -0.1, 0.3]
+mass = 0.3
+fullness = 1.4
+hooks = { every = 3 }
+bending = { warp = 0.001, weft = 0.001 }
+LINKS
+)"},
+    {"slack pendulum", R"(
+[[mass]]
+name = "hook"
+position = [0.0, 2.0, 0.0]
+pinned = true
+[[mass]]
+name = "bob"
+position = [0.55, 2.0, 0.0]
+[[link]]
+a = "hook"
+b = "bob"
+length = 0.5
+stiffness = 500.0
+acts = "pull"
+)"},
+    {"loose pendulum", R"(
+[[mass]]
+name = "hook"
+position = [0.0, 2.0, 0.0]
+pinned = true
+[[mass]]
+name = "bob"
+position = [0.55, 2.0, 0.0]
+[[link]]
+a = "hook"
+b = "bob"
+length = 0.5
+stiffness = 500.0
+acts = "between"
+longest = 1.05
+)"},
+    {"tearing pendulum", R"(
+[[mass]]
+name = "hook"
+position = [0.0, 2.0, 0.0]
+pinned = true
+[[mass]]
+name = "bob"
+position = [0.5, 2.0, 0.0]
+[[link]]
+a = "hook"
+b = "bob"
+stiffness = 500.0
+break_tension = 26.0
+scatter = 0.3
+[[load]]
+masses = ["bob"]
+force = [90.0, 0.0, 0.0]
+to = 0.3
+)"},
+    {"seam in a cloth", R"(
+[[sheet]]
+name = "cloth"
+rows = 4
+columns = 4
+from = [0.0, 2.0, 0.0]
+to = [0.4, 2.0, 0.0]
+down = [0.0, -0.4, 0.0]
+mass = 0.6
+pinned = ["top"]
+stiffness = 100.0
+break_stretch = 1.5
+break_tension = 2.0
+[[sheet]]
+name = "other"
+rows = 4
+columns = 4
+from = [2.0, 2.0, 0.0]
+to = [2.4, 2.0, 0.0]
+down = [0.0, -0.4, 0.0]
+mass = 0.6
+pinned = ["left"]
+stiffness = 100.0
+break_tension = 2.0
+[[seam]]
+sheet = "cloth"
+row = 1
+strength = 0.2
+[[seam]]
+sheet = "other"
+column = 1
+strength = 0.2
+)"},
+    {"seam between masses", R"(
+[[sheet]]
+name = "cloth"
+rows = 4
+columns = 4
+from = [0.0, 2.0, 0.0]
+to = [0.4, 2.0, 0.0]
+down = [0.0, -0.4, 0.0]
+mass = 0.6
+pinned = ["top"]
+stiffness = 100.0
+[[seam]]
+a = ["cloth.1.*"]
+b = ["cloth.2.*"]
+break_stretch = 1.3
+break_tension = 1.2
+break_at = 0.28
+)"},
+    {"seam that opens", R"(
+[[chain]]
+name = "rope"
+from = [0.0, 2.0, 0.0]
+to = [1.0, 2.0, 0.0]
+links = 4
+mass = 0.5
+pinned = ["first"]
+LINKS
+[[seam]]
+a = ["rope.1"]
+b = ["rope.2"]
+break_at = 0.2
+)"},
+    {"solids that swing", R"(
+[[mass]]
+name = "on_plane"
+position = [20.0, -1.98, 0.0]
+radius = 0.05
+[[mass]]
+name = "on_sphere"
+position = [0.3, 1.007, 0.0]
+radius = 0.05
+[[mass]]
+name = "on_capsule"
+position = [5.0, 1.04, 0.0]
+radius = 0.05
+[[mass]]
+name = "on_box"
+position = [10.0, 0.54, 0.0]
+radius = 0.05
+[[plane]]
+point = [0.0, -2.05, 0.0]
+motion = { amplitude = [0.02, 0.01, 0.0], angular_frequency = 9.0, phase = 0.1 }
+rotation = { axis = [0.0, 1.0, 0.0], rate = 20.0, rise = 0.1 }
+[[sphere]]
+centre = [0.0, 0.0, 0.0]
+motion = { amplitude = [0.02, 0.01, 0.0], angular_frequency = 9.0, phase = 0.1 }
+rotation = { axis = [0.0, 1.0, 0.0], rate = 20.0, rise = 0.1 }
+[[capsule]]
+from = [4.5, 0.0, 0.0]
+to = [5.5, 0.0, 0.0]
+motion = { amplitude = [0.02, 0.01, 0.0], angular_frequency = 9.0, phase = 0.1 }
+rotation = { axis = [1.0, 0.2, 0.0], rate = 20.0, rise = 0.1 }
+[[box]]
+centre = [10.0, 0.0, 0.0]
+motion = { amplitude = [0.02, 0.01, 0.0], angular_frequency = 9.0, phase = 0.1 }
+rotation = { axis = [0.0, 1.0, 0.0], rate = 20.0, rise = 0.1 }
+)"},
+    {"solids that are led", R"(
+[[mass]]
+name = "on_plane"
+position = [20.0, -1.98, 0.0]
+radius = 0.05
+[[mass]]
+name = "on_sphere"
+position = [0.3, 1.007, 0.0]
+radius = 0.05
+[[mass]]
+name = "on_capsule"
+position = [5.0, 1.04, 0.0]
+radius = 0.05
+[[mass]]
+name = "on_box"
+position = [10.0, 0.54, 0.0]
+radius = 0.05
+[[plane]]
+point = [0.0, -2.05, 0.0]
+motion = { path = [[0.0, 0.0, -2.05, 0.0], [0.3, 0.1, -2.0, 0.0]] }
+rotation = { axis = [0.0, 1.0, 0.0], angle = [[0.0, 0.0], [0.3, 4.0]] }
+[[sphere]]
+centre = [0.0, 0.0, 0.0]
+motion = { path = [[0.0, 0.0, 0.0, 0.0], [0.3, 0.1, 0.02, 0.0]] }
+rotation = { axis = [0.0, 1.0, 0.0], angle = [[0.0, 0.0], [0.3, 4.0]] }
+[[capsule]]
+from = [4.5, 0.0, 0.0]
+to = [5.5, 0.0, 0.0]
+motion = { path = [[0.0, 5.0, 0.0, 0.0], [0.3, 5.1, 0.02, 0.0]] }
+rotation = { axis = [1.0, 0.2, 0.0], angle = [[0.0, 0.0], [0.3, 4.0]] }
+[[box]]
+centre = [10.0, 0.0, 0.0]
+motion = { path = [[0.0, 10.0, 0.0, 0.0], [0.3, 10.1, 0.02, 0.0]] }
+rotation = { axis = [0.0, 1.0, 0.0], angle = [[0.0, 0.0], [0.3, 4.0]] }
+)"},
     {"flag", R"(
 [[sheet]]
 name = "cloth"

@@ -46,7 +46,8 @@ Names within(const std::string& key, const Names& inner) {
 const Names links{"acts",          "longest",  "stiffness", "damping",     "break_stretch",
                   "break_tension", "break_at", "scatter",   "scatter_seed"};
 const Names motion{"amplitude", "angular_frequency", "phase", "path", "with"};
-const Names solid = Names{"name", "friction", "restitution"} + within("motion", motion) +
+const Names solid = Names{"name", "friction", "restitution"} +
+                    within("motion", {"amplitude", "angular_frequency", "phase", "path"}) +
                     within("rotation", {"axis", "through", "rate", "rise", "angle"});
 
 TEST(KeyReference, ListsEveryKeyOfEverySection) {

@@ -43,9 +43,10 @@ std::string too_stiff(const Model& model, const State& start, const Settings& se
   const double frequency = highest_spring_frequency(model, start);
   if (frequency < 2.0 * settings.steps_per_second()) return {};
   return fmt::format(
-      "method {} treats links with stiffness as forces, and the stiffest vibrate at {:.4g} rad/s: that needs "
-      "more than {:.0f} steps_per_second, or method newton, which takes any stiffness",
-      settings.method, frequency, 0.5 * frequency);
+      "method {} treats {} as forces, and the stiffest vibrate at {:.4g} rad/s: that needs more than {:.0f} "
+      "steps_per_second, or method {}, which takes any stiffness",
+      settings.method, model.bends.empty() ? "links with stiffness" : "links with stiffness and bends",
+      frequency, 0.5 * frequency, model.bends.empty() ? "newton" : "xpbd");
 }
 
 void HalfKicks::accelerations(const State& whole, double time, const Vectors& position,

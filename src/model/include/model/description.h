@@ -56,11 +56,19 @@ struct SinusoidSpec {
   double phase = 0.0;              ///< rad
 };
 
-/// How a pin or a solid is driven: one of them, or none.
-struct MotionSpec {
+/// How a solid is moved: one of the two, or neither.
+struct WaySpec {
   std::optional<SinusoidSpec> sinusoid;
   std::vector<Knot> path;
-  std::string with;  ///< of a pin: the name of a solid that carries it
+
+  bool empty() const { return !sinusoid && path.empty(); }
+};
+
+/// How a pin is driven: one of them, or none.
+struct MotionSpec {
+  std::optional<SinusoidSpec> sinusoid{};
+  std::vector<Knot> path{};
+  std::string with{};  ///< the name of a solid that carries it
 };
 
 /// How a solid turns about an axis: through angles at times, or at a rate.
@@ -75,7 +83,7 @@ struct RotationSpec {
 /// How a solid moves, where it does.
 struct SolidMotionSpec {
   std::string name;  ///< for pins that it carries; may be empty
-  MotionSpec motion;
+  WaySpec motion;
   std::optional<RotationSpec> rotation;
 };
 
