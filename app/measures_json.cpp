@@ -50,6 +50,7 @@ Json measures_to_json(const RunMeasures& measures, const Scene& scene) {
           {"fastest_speed", measures.fastest_speed},
           {"limit_excess", measures.limit_excess},
           {"penetration", measures.penetration},
+          {"tangled", measures.tangled},
           {"broken_links", measures.broken_links},
           {"rounds", measures.report.counts.rounds},
           {"link_solves", measures.report.counts.link_solves},

@@ -51,6 +51,8 @@ std::vector<Finding> check_expectation(const Expectation& expectation, const Mod
                                *expectation.limit_excess, "°"));
   if (expectation.penetration)
     findings.push_back(at_most("penetration", measures.penetration, *expectation.penetration, " m"));
+  if (expectation.tangled)
+    findings.push_back(at_most("tangled", static_cast<double>(measures.tangled), *expectation.tangled, ""));
   return findings;
 }
 

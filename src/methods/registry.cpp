@@ -134,6 +134,7 @@ std::vector<std::string> capability_problems(const Model& model, const Method& m
   need(!model.joints.empty(), &Capabilities::joints, "joints with damping or friction");
   need(!only_ground, &Capabilities::colliders,
        "solids but planes that stay and have no rebound, or bodies that touch");
+  need(!model.faces.empty(), &Capabilities::faces, "faces that touch");
   need(model.drag > 0.0, &Capabilities::drag, "drag");
   need(stretch, &Capabilities::break_stretch, "breaking by stretch");
   need(tension, &Capabilities::break_tension, "breaking by tension");

@@ -38,6 +38,7 @@ Method verlet_method() {
   can.one_sided = true;
   can.joints = true;
   can.colliders = true;
+  can.faces = true;
   can.break_stretch = true;
   can.break_tension = true;
   return {"verlet",

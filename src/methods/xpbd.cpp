@@ -42,11 +42,11 @@ std::unique_ptr<Stepper> make_xpbd(const Model& model, const Settings& settings,
 
 std::string xpbd_refusal(const Model& model, const State&, const Settings& settings) {
   const bool more = !model.limits.empty() || !model.bends.empty() || !touches_only_ground(model) ||
-                    !model.joints.empty() || model.wind;
+                    !model.faces.empty() || !model.joints.empty() || model.wind;
   if (settings.choice("precision") != "single" || !more) return {};
   return "method xpbd in single precision knows no limits on angles, no joints that resist, no solids but "
          "the "
-         "ground, no touching bodies and no wind: use precision = \"double\" for this scene";
+         "ground, no touching bodies, no faces and no wind: use precision = \"double\" for this scene";
 }
 
 }  // namespace
@@ -61,6 +61,7 @@ Method xpbd_method() {
   can.bending = true;
   can.joints = true;
   can.colliders = true;
+  can.faces = true;
   can.break_stretch = true;
   can.break_tension = true;
   return {"xpbd",

@@ -163,6 +163,7 @@ Built build(const Description& description) {
   add_seams(builder, description, built.problems);
   add_loads(builder.model, description.loads, built.problems);
   add_limits(builder, description, by_name, built.problems);
+  find_face_problems(builder, description, built.problems);
   if (description.wind && description.wind->density * description.wind->drag_coefficient > 0.0)
     builder.model.wind = wind_of(*description.wind, up_direction(builder.model));
   if (built.problems.empty()) built.notes = find_notes(description, builder);

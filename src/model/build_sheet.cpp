@@ -110,7 +110,8 @@ void add_masses(Builder& builder, const SheetSpec& spec) {
       const bool hook = is_hook(spec, row, column);
       const Index mass = builder.add_mass(
           spec.name + "." + std::to_string(row) + "." + std::to_string(column), place(row, column),
-          Vec3::Zero(), share, hook || pinned_by_edge(spec, edges, row, column), spec.radius);
+          Vec3::Zero(), share, hook || pinned_by_edge(spec, edges, row, column),
+          spec.faces ? 0.5 * spec.faces->thickness : spec.radius);
       if (hook && !spec.hooks.draw.empty()) builder.drive(mass, hook_path(spec, column));
       if (const EdgeMotion edge = motion_at(spec, row, column); edge.motion != nullptr)
         builder.drive(mass, moved_by(*edge.motion, place(row, column) - place(edge.row, edge.column)));
@@ -255,6 +256,9 @@ void add_sheet(Builder& builder, const SheetSpec& spec) {
   if (spec.bending) add_bends(builder, links, spec);
   sheet.triangle_count = static_cast<Index>(builder.model.triangles.size()) - sheet.first_triangle;
   builder.model.sheets.push_back(std::move(sheet));
+  if (spec.faces)
+    builder.model.faces.push_back({static_cast<Index>(builder.model.sheets.size() - 1), spec.faces->thickness,
+                                   spec.faces->friction, spec.faces->self_collides, builder.body()});
 }
 
 }  // namespace taut

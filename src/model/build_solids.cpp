@@ -102,6 +102,15 @@ void add_bone_contacts(Builder& builder, const Bone& bone, Index body) {
   }
 }
 
+// To be called while contact points are those of single masses.
+void mark_corners(Model& model, const SheetFaces& faces) {
+  const Sheet& sheet = model.sheets[faces.sheet];
+  for (ContactPoint& point : model.contacts)
+    if (point.masses[0] >= sheet.first_mass &&
+        point.masses[0] - sheet.first_mass < sheet.rows * sheet.columns)
+      point.of_faces = true;
+}
+
 // Every mass that no bone holds is a ball of its own.
 void add_contacts(Builder& builder) {
   Model& model = builder.model;
@@ -111,6 +120,7 @@ void add_contacts(Builder& builder) {
     const auto mass = static_cast<Index>(i);
     model.contacts.push_back(ball_on(mass, model.masses.radius[i], builder.body_of_mass[i]));
   }
+  for (const SheetFaces& faces : model.faces) mark_corners(model, faces);
   for (std::size_t i = 0; i < model.bones.size(); ++i)
     add_bone_contacts(builder, model.bones[i], builder.body_of_bone[i]);
 }

@@ -35,6 +35,8 @@ class Builder {
   /// Drives a pinned mass, which is put where the motion begins; a spec that names no motion does nothing.
   void drive(Index mass, const MotionSpec& motion);
   void drive(Index mass, Motion motion);
+  /// The body that is being added; no_body where it touches none.
+  Index body() const { return body_; }
   /// Multiplies what a link bears: its tension, and its stretch beyond its length.
   void weaken(Index link, double share);
   /// Lets links break, and the pin of a mass go, at a time (s); nothing where there is no pin or no time.
@@ -103,6 +105,11 @@ void find_crowds(const Builder& builder, const Description& description, std::ve
 /// Reports a rigid link that acts one way only and is further apart, or nearer, at the start than it lets its
 /// masses be.
 void find_overreach(const Builder& builder, std::vector<Problem>& problems);
+
+/// Reports faces that start through each other or through solids, or nearer than their thickness; nothing
+/// where there are other problems.
+void find_face_problems(const Builder& builder, const Description& description,
+                        std::vector<Problem>& problems);
 
 /// The rotation by degrees about x, then y, then z.
 Eigen::Matrix3d turned(const Vec3& degrees);

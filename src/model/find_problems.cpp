@@ -109,6 +109,26 @@ void check_edge_motions(Checker& check, const SheetSpec& sheet) {
                 "hooks.draw moves masses of the top edge already");
 }
 
+// The least height of a face at rest: its right angle over the diagonal.
+double face_height(const SheetSpec& sheet) {
+  const double along = sheet.fullness * (sheet.to - sheet.from).norm() / (sheet.columns - 1);
+  const double down = sheet.down.norm() / (sheet.rows - 1);
+  return along * down / std::hypot(along, down);
+}
+
+void check_faces(Checker& check, const SheetSpec& sheet) {
+  check.positive(sheet.faces->thickness, "faces", "m thick");
+  check.not_negative(sheet.faces->friction, "faces", "");
+  check.require(sheet.radius == 0.0, "radius",
+                "a sheet whose faces touch has a thickness in place of a radius: write one of the two");
+  const double most = 0.5 * face_height(sheet);
+  check.require(
+      !(sheet.faces->thickness > most), "faces",
+      fmt::format("faces must be at most half as thick as the least height of one, {:.4g} m, not {:.4g} m: "
+                  "else neighbours are in each other's way",
+                  most, sheet.faces->thickness));
+}
+
 void check_sheet(Checker& check, const SheetSpec& sheet) {
   check.name(sheet.name);
   check.require(sheet.rows >= 2, "rows", fmt::format("rows must be 2 or more, not {}", sheet.rows));
@@ -134,6 +154,7 @@ void check_sheet(Checker& check, const SheetSpec& sheet) {
   }
   check_edge_motions(check, sheet);
   check.not_negative(sheet.radius, "radius", "m");
+  if (sheet.faces && sheet.rows >= 2 && sheet.columns >= 2) check_faces(check, sheet);
   check.properties(sheet.properties);
   if (sheet.diagonals) check.properties(*sheet.diagonals, "diagonals.");
   if (sheet.skip_one) check.properties(*sheet.skip_one, "skip_one.");

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/vector_operations.h"
+#include "model/face_depth.h"
 
 namespace taut {
 
@@ -150,7 +151,7 @@ double largest_limit_excess(const Model& model, const State& state) {
 }
 
 double deepest_penetration(const Model& model, const State& state) {
-  double deepest = 0.0;
+  double deepest = deepest_face(model, state);
   std::vector<Shape> shapes;
   for (const Collider& collider : model.colliders) shapes.push_back(shape_at(collider, state.time));
   for (const ContactPoint& point : model.contacts) {

@@ -138,6 +138,17 @@ std::string joints_extent(const Model& model) {
   return counted(model.joints.size(), "joint that resists", "joints that resist");
 }
 
+std::string faces_extent(const Model& model) {
+  std::size_t triangles = 0;
+  for (const SheetFaces& faces : model.faces) triangles += model.sheets[faces.sheet].triangle_count;
+  return counted(triangles, "triangle that touches", "triangles that touch");
+}
+
+void remove_faces(Model& model) {
+  model.faces.clear();
+  for (ContactPoint& point : model.contacts) point.of_faces = false;
+}
+
 std::string wind_extent(const Model& model) {
   if (!model.wind) return "";
   const double speed = model.wind->velocity.norm();
@@ -167,6 +178,7 @@ constexpr std::array parts{
     Part{"driven pins", pins_extent, [](Model& model) { model.driven_pins.clear(); }},
     Part{"ground", ground_extent, remove_ground},
     Part{"solids", solids_extent, remove_solids},
+    Part{"faces", faces_extent, remove_faces},
     Part{"limits", limits_extent, [](Model& model) { std::erase_if(model.limits, on_angle); }},
     Part{"one-sided links", one_sided_extent, remove_one_sided},
     Part{"joints", joints_extent, [](Model& model) { model.joints.clear(); }},
@@ -219,7 +231,8 @@ bool stays_in_plane(const Model& model, const State& start) {
                                std::all_of(model.driven_pins.begin(), model.driven_pins.end(),
                                            [](const DrivenPin& pin) { return stays_flat(pin.motion); });
   // A limb that is straight may be pushed any way across it, and what touches may be round.
-  const bool nothing_round = !limits_angles(model) && touches_only_ground(model) && !model.wind;
+  const bool nothing_round =
+      !limits_angles(model) && touches_only_ground(model) && model.faces.empty() && !model.wind;
   return at_rest_in_it && pulled_along_it && nothing_round;
 }
 

@@ -47,6 +47,8 @@ std::string_view reason(StepStatus status) {
       return "a position or velocity is no longer a finite number";
     case StepStatus::energy_jump:
       return "it made energy out of nothing";
+    case StepStatus::pressed_through:
+      return "pins or solids press its faces through each other";
     case StepStatus::chattering:
       return "its stops are met and left again without end";
   }
@@ -357,7 +359,9 @@ std::optional<State> Run::at(double time, const StopTest& stop) {
   if (state().time == time) return state();
   if (method_.can.chooses_steps)
     return (left_behind_ && time < left_at_ ? left_behind_ : stepper_)->between(time);
-  return interpolate(*before_, state(), time, method_.can.between_steps);
+  // Between steps faces are known not to go through each other on the straight line.
+  return interpolate(*before_, state(), time,
+                     model_->faces.empty() ? method_.can.between_steps : Interpolation::linear);
 }
 
 // A method that chooses its steps doesn't say how far the next one will go: every step but the last is kept.

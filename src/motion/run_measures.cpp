@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "methods/projected_velocities.h"
+#include "model/tangles.h"
 
 namespace taut {
 
@@ -34,6 +35,7 @@ RunMeasures measure_run(const Model& model, const EnergyBase& base, const State&
   measures.fastest_speed = fastest_speed(end);
   measures.limit_excess = largest_limit_excess(model, end);
   measures.penetration = deepest_penetration(model, end);
+  measures.tangled = tangled_places(model, end);
   measures.broken_links = broken_links(end);
   measures.report = report;
   return measures;

@@ -165,6 +165,23 @@ const Keys<HookSpec>& hook_keys() {
   return keys;
 }
 
+const Keys<FacesSpec>& faces_keys() {
+  static const Keys<FacesSpec> keys{
+      key<FacesSpec>("thickness", &FacesSpec::thickness,
+                     {.unit = "m",
+                      .range = above_to(0, far),
+                      .required = true,
+                      .help = "faces keep this far apart, and half of it from solids"}),
+      key<FacesSpec>("friction", &FacesSpec::friction,
+                     {.range = between(0, 100),
+                      .help = "Coulomb's coefficient of faces on faces; of two sheets the geometric mean"}),
+      key<FacesSpec>("self_collides", &FacesSpec::self_collides,
+                     {.help = "whether they touch one another; those of other sheets they touch where both "
+                              "sheets collide"}),
+  };
+  return keys;
+}
+
 // A sinusoid needs both its size and its speed, a path at least one place; one of the ways it must be.
 std::string motion_problem(const WrittenMotion& written, bool of_pin) {
   const bool swings = written.amplitude || written.angular_frequency || written.phase;
@@ -309,6 +326,19 @@ bool Codec<HookSpec>::read(const Node& node, const KeyInfo& info, HookSpec& out,
 
 std::string Codec<HookSpec>::write(const HookSpec& value) {
   return write_inline(hook_keys(), value);
+}
+
+std::vector<KeyInfo> Codec<std::optional<FacesSpec>>::inner() {
+  return infos(faces_keys());
+}
+
+bool Codec<std::optional<FacesSpec>>::read(const Node& node, const KeyInfo& info,
+                                           std::optional<FacesSpec>& out, Reader& reader) {
+  return read_table(node, faces_keys(), in_quotes(info.name), TableKind::value, out.emplace(), reader);
+}
+
+std::string Codec<std::optional<FacesSpec>>::write(const std::optional<FacesSpec>& value) {
+  return value ? write_inline(faces_keys(), *value) : std::string();
 }
 
 std::vector<KeyInfo> Codec<ExtraLinks>::inner() {

@@ -98,6 +98,15 @@ struct Codec<HookSpec> {
   static std::string write(const HookSpec& value);
 };
 
+/// How faces touch; absent: they don't.
+template <>
+struct Codec<std::optional<FacesSpec>> {
+  static std::string type() { return "a table"; }
+  static std::vector<KeyInfo> inner();
+  static bool read(const Node& node, const KeyInfo& info, std::optional<FacesSpec>& out, Reader& reader);
+  static std::string write(const std::optional<FacesSpec>& value);
+};
+
 template <>
 struct Codec<std::optional<BendingSpec>> {
   static std::string type() { return "a table"; }

@@ -177,6 +177,11 @@ Keys<SheetSpec> sheet_keys() {
                  "skip_one", &SheetSpec::skip_one,
                  {.help = "links from every mass to the next but one along rows and columns; true: "
                           "rigid ones"}),
+             key<SheetSpec>(
+                 "faces", &SheetSpec::faces,
+                 {.fallback = "only masses touch, as balls",
+                  .help = "lets its triangles touch: solids, one another, and those of other sheets; a "
+                          "scene whose faces start nearer than their thickness is refused"}),
          };
 }
 

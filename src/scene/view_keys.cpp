@@ -181,7 +181,12 @@ Keys<Expectation> expect_keys() {
                        {.unit = "m",
                         .range = between(0, far),
                         .fallback = "not checked",
-                        .help = "deepest that anything is inside what it can hit"}),
+                        .help = "deepest that anything is inside what it can hit: masses and faces in "
+                                "solids, and in the thickness of faces"}),
+      key<Expectation>("tangled", &Expectation::tangled,
+                       {.range = between(0, 1e12),
+                        .fallback = "not checked",
+                        .help = "most places where faces go through one another or through boxes"}),
   };
 }
 

@@ -34,6 +34,13 @@ std::string deep_key() {
   return key + " = 1\n";
 }
 
+// A level sheet of four cells with faces, and what else there is.
+std::string faces_scene(const std::string& faces, const std::string& more = "") {
+  return "[[sheet]]\nname = \"cloth\"\nrows = 3\ncolumns = 3\nfrom = [0, 1, 0]\nto = [1, 1, 0]\n"
+         "down = [0, 0, 1]\nfaces = " +
+         faces + "\n" + more;
+}
+
 TEST_P(BadSceneTest, EndsWithStatus2AndNothingWritten) {
   const TemporaryFolder folder;
   const std::string scene = folder.write("bad.toml", GetParam().text);
@@ -71,6 +78,19 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"UnknownMethod", replaced("\"xpbd\"", "\"xbpd\""), "did you mean \"xpbd\""},
         BadScene{"ParameterOutOfRange", replaced("passes = 1", "passes = -3"), "passes"},
         BadScene{"KeyOfAnotherMethod", replaced("passes = 1", "velocities = \"kept\""), "velocities"},
+        BadScene{"FacesWithoutThickness", faces_scene("{ friction = 0.5 }"), "needs the key \"thickness\""},
+        BadScene{"FacesOfNoThickness", faces_scene("{ thickness = 0 }"), "bad.toml:8:"},
+        BadScene{"FacesTooThick", faces_scene("{ thickness = 0.3 }"), "at most half as thick"},
+        BadScene{"FacesAndRadius", faces_scene("{ thickness = 0.01 }", "radius = 0.1\n"),
+                 "thickness in place of a radius"},
+        BadScene{
+            "FacesThroughABox",
+            faces_scene("{ thickness = 0.01 }", "[[box]]\ncentre = [0.4, 1, 0.3]\nsize = [0.1, 1, 0.1]\n"),
+            "bad.toml:8:1: faces must not start through each other or through a solid: the [[box]] number 1 "
+            "goes through the face of \"cloth."},
+        BadScene{"FacesWithAMethodThatKnowsNone",
+                 faces_scene("{ thickness = 0.01 }", "[solve]\nmethod = \"rattle\"\n"),
+                 "has no faces that touch; these have: verlet, xpbd"},
         BadScene{"NoFrames", replaced("duration = 1.0", "duration = 0.0"), "duration"}),
     [](const auto& test) { return test.param.name; });
 

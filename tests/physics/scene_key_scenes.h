@@ -140,6 +140,18 @@ position = [0.0, 1.3, 0.02]
 radius = 0.1
 collides = true
 )"},
+    {"crumpled cloth", R"(
+[[sheet]]
+name = "cloth"
+rows = 12
+columns = 3
+from = [0.0, 0.38, 0.0]
+to = [0.08, 0.38, 0.0]
+down = [0.0, -0.36, 0.03]
+faces = { thickness = 0.012 }
+LINKS
+[[plane]]
+)"},
     {"pendulum", R"(
 [[mass]]
 name = "hook"

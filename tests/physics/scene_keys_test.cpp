@@ -45,9 +45,9 @@ std::vector<std::string> physics_keys() {
 }
 
 std::string text_for(const KeyCase& each, const Method& method) {
-  const std::string links = method.can.rigid ? "" : "stiffness = 2000.0";
+  const std::string soft_links = method.can.rigid ? "" : "stiffness = 2000.0";
   const auto& scenes = key_bodies.contains(each.scene) ? key_bodies : key_scenes;
-  return std::regex_replace(scenes.at(each.scene), std::regex("LINKS"), links);
+  return std::regex_replace(scenes.at(each.scene), std::regex("LINKS"), soft_links);
 }
 
 // The hash of the state after a short run; none where the method refuses the scene.

@@ -67,6 +67,7 @@ TEST(KeyReference, ListsEveryKeyOfEverySection) {
        within("left_motion", motion) + within("right_motion", motion) +
        within("bending", {"stiffness", "warp", "weft", "bias", "from_start"}) + links +
        within("weft", links) + within("diagonals", links) + within("skip_one", links) +
+       within("faces", {"thickness", "friction", "self_collides"}) +
        Names{"visible", "colour", "back_colour", "draw"}));
   EXPECT_EQ(keys_of("`[[mass]]`"), (Names{"name", "position", "velocity", "mass", "pinned", "release",
                                           "radius", "collides", "visible", "colour"} +
@@ -137,7 +138,7 @@ TEST(KeyReference, ListsEveryKeyOfEverySection) {
                                         "trails",       "trail_time",     "supports",
                                         "thread_pitch", "hem_width"}));
   EXPECT_EQ(keys_of("`[expect]`"), (Names{"max_strain", "energy_drift", "broken_links", "sag", "at_rest",
-                                          "inside", "limit_excess", "penetration"}));
+                                          "inside", "limit_excess", "penetration", "tangled"}));
 }
 
 TEST(KeyReference, ListsEveryParameterOfEveryMethod) {

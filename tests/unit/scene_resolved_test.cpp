@@ -64,6 +64,7 @@ from = [-1, 5, 1]
 to = [1, 5, 1]
 down = [0, -1.5, 0]
 pinned = ["left"]
+faces = { thickness = 0.02, friction = 0.3, self_collides = false }
 [[mass]]
 name = "hand"
 position = [0, 5, -0.0]
@@ -185,6 +186,7 @@ at_rest = 0.3
 inside = [[-9, -8, -7], [7, 8, 9]]
 limit_excess = 1
 penetration = 0.001
+tangled = 2
 )";
 
 void expect_same_links(const Links& a, const Links& b) {

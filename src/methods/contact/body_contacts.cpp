@@ -22,7 +22,9 @@ std::vector<BodyBall> BodyContacts::touching_balls(const Model& model, std::vect
 }
 
 BodyContacts::BodyContacts(const Model& model)
-    : points_(model), near_(touching_balls(model, balls_), contact_margin) {}
+    : points_(model),
+      near_(touching_balls(model, balls_), contact_margin),
+      any_faces_(!model.faces.empty()) {}
 
 bool BodyContacts::moved_since_search(const Vectors& position) const {
   if (centres_.size() != balls_.size()) return true;
@@ -44,6 +46,10 @@ void BodyContacts::begin_step(const std::vector<ContactSlip>& slips, const Vecto
       a = balls_[a];
       b = balls_[b];
     }
+    if (any_faces_)
+      std::erase_if(pairs_, [this](const auto& pair) {
+        return points_.point(pair.first).of_faces && points_.point(pair.second).of_faces;
+      });
   }
   frictions_.clear();
   if (!points_.any_static_friction()) return;

@@ -2,13 +2,14 @@
 
 #include "contact/body_contacts.h"
 #include "contact/contact_solver.h"
+#include "contact/face_contacts.h"
 #include "relax/bend_solver.h"
 #include "relax/limit_solver.h"
 
 namespace taut {
 
 /// What a relaxation method solves beside its links, the same for each of them: bends, limits on angles,
-/// bodies that touch, solids, and the ground.
+/// bodies that touch, faces, solids, and the ground.
 class LimitsAndContacts {
  public:
   explicit LimitsAndContacts(const Model& model)
@@ -16,8 +17,9 @@ class LimitsAndContacts {
         bends_(model),
         limits_(model),
         bodies_(model),
+        faces_(model),
         contacts_(model),
-        none_(model.limits.empty() && model.contacts.empty() && model.bends.empty()) {
+        none_(model.limits.empty() && model.contacts.empty() && model.bends.empty() && model.faces.empty()) {
     for (const Collider& collider : model.colliders) rebounds_ = rebounds_ || collider.restitution > 0.0;
   }
 
@@ -25,6 +27,7 @@ class LimitsAndContacts {
   void links_changed(const State& state) {
     bends_.links_changed(model_, state);
     limits_.links_changed(state);
+    faces_.links_changed(state);
   }
 
   /// To be called once positions of the step have been predicted, in place of those of the state, whose time
@@ -33,6 +36,7 @@ class LimitsAndContacts {
     bends_.begin_step();
     limits_.begin_step();
     bodies_.begin_step(predicted.static_friction.bodies, start, predicted.position);
+    faces_.begin_step(start, predicted.position, predicted.time, end_time);
     contacts_.begin_step(predicted.static_friction.solids, start, predicted.velocity, predicted.position,
                          predicted.time, end_time);
   }
@@ -46,12 +50,19 @@ class LimitsAndContacts {
     bends_.solve(h, answer, position);
     limits_.solve(position, h, answer);
     bodies_.solve(position);
+    faces_.solve(position);
     contacts_.solve(position);
   }
 
+  /// To be called after the last pass: sees to it that no faces have passed through anything. False: that
+  /// can't be had.
+  bool finish(Vectors& position) { return faces_.finish(position); }
+
   /// Whether velocities may have jumped in this step, or at the end of the one before: a stop has pushed,
   /// something has touched, or something may have rebounded.
-  bool may_jump() const { return rebounds_ || limits_.pushed() || bodies_.touched() || contacts_.touched(); }
+  bool may_jump() const {
+    return rebounds_ || limits_.pushed() || bodies_.touched() || faces_.touched() || contacts_.touched();
+  }
 
   /// Once velocities have been derived from positions.
   void rebound(double h, const Vectors& position, Vectors& velocity) const {
@@ -77,6 +88,7 @@ class LimitsAndContacts {
   BendSolver bends_;
   LimitSolver limits_;
   BodyContacts bodies_;
+  FaceContacts faces_;
   ContactSolver contacts_;
   bool none_;
   bool rebounds_ = false;  // whether any solid gives something back

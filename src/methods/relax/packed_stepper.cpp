@@ -167,7 +167,7 @@ class PackedStepper final : public Stepper {
 
 bool only_links(const Model& model) {
   return model.limits.empty() && model.bends.empty() && model.joints.empty() && model.contacts.empty() &&
-         model.loads.empty() && !model.wind;
+         model.faces.empty() && model.loads.empty() && !model.wind;
 }
 
 template <class Real>

@@ -46,18 +46,18 @@ class RelaxationStepper final : public FileOrderStepper {
     drift(h, start_, velocity_, state.position);
     place_pins(model_, end_time, state.position, velocity_);
     StepReport report;
-    relax(h, end_time, whole ? 1.0 / (1.0 + h * model_.drag) : 1.0, state, report);
+    const bool kept_apart = relax(h, end_time, whole ? 1.0 / (1.0 + h * model_.drag) : 1.0, state, report);
     difference_quotient(h, start_, state.position, velocity_);
     limits_and_contacts_.rebound(h, state.position, velocity_);
     if (!whole) kick(model_, end_time, 0.5 * h, velocity_, velocity_);
     place_pins(model_, end_time, state.position, velocity_);
     std::swap(state.velocity, velocity_);
     state.time = end_time;
-    if (!all_finite(state)) {
+    if (!kept_apart || !all_finite(state)) {
       std::swap(state.position, start_);
       std::swap(state.velocity, velocity_);
       state.time = start_time;
-      report.status = StepStatus::not_finite;
+      report.status = kept_apart ? StepStatus::not_finite : StepStatus::pressed_through;
       return report;
     }
     limits_and_contacts_.keep(state);
@@ -69,7 +69,8 @@ class RelaxationStepper final : public FileOrderStepper {
     return report;
   }
 
-  void relax(double h, double end_time, double answer, State& state, StepReport& report) {
+  // Whether faces could be kept from passing through each other.
+  bool relax(double h, double end_time, double answer, State& state, StepReport& report) {
     links_.begin_step(static_cast<Real>(h), static_cast<Real>(answer));
     links_.load(start_, packed_start_);
     links_.load(state.position, packed_);
@@ -85,6 +86,7 @@ class RelaxationStepper final : public FileOrderStepper {
     links_.give(packed_, state.position);
     report.rounds = made;
     report.link_solves = (links_.size() + limits_and_contacts_.size()) * made;
+    return limits_and_contacts_.finish(state.position);
   }
 
   const Model& model_;

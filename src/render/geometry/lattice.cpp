@@ -44,7 +44,7 @@ Colour mass_colour(const Drawn& drawn, std::size_t mass) {
   const auto& [model, state, look, appearance, radii, quantity, scale] = drawn;
   const std::optional<Colour> own = own_mass_colour(appearance, mass);
   const bool single = mass >= model.singles.first_mass;
-  if (model.masses.pinned(mass)) return own && single ? *own : look.pin_colour;
+  if (model.masses.held(mass, state.time)) return own && single ? *own : look.pin_colour;
   const auto shaded = [shade = radii.shade[mass]](const Colour& colour) {
     return Colour{shade * colour[0], shade * colour[1], shade * colour[2]};
   };

@@ -72,6 +72,7 @@ struct Capabilities {
   bool bending = false;                         ///< chains and sheets that resist bending
   bool joints = false;                          ///< joints with damping or friction
   bool colliders = false;                       ///< solids of any shape, rebound, bodies that touch
+  bool faces = false;                           ///< faces of sheets that touch
   bool drag = true;
   bool break_stretch = false;
   bool break_tension = false;
@@ -111,6 +112,7 @@ enum class StepStatus {
   factorisation_failed,  ///< the linear system is singular
   not_finite,            ///< a position or velocity is no longer a number
   energy_jump,           ///< the step made energy out of nothing, as the run that it belongs to found
+  pressed_through,       ///< pins or solids press faces through each other
   chattering,            ///< stops are met and left again without end
 };
 

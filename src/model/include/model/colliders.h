@@ -70,6 +70,7 @@ struct ContactPoint {
   double radius = 0.0;              ///< m
   Index body = no_body;             ///< touches points of other bodies; no_body: touches none
   bool static_friction = false;     ///< remembers where it sticks; see StaticFriction
+  bool of_faces = false;            ///< a corner of faces that touch; see SheetFaces
 };
 
 /// Where a contact point is.

@@ -151,6 +151,13 @@ struct HookSpec {
       draw;  ///< (s, share of the rail's length the hooks span), from the rail's start; empty: at rest
 };
 
+/// How a sheet's faces touch, beside its masses.
+struct FacesSpec {
+  double thickness = 0.0;     ///< m: faces keep this far from one another, half of it from solids
+  double friction = 0.5;      ///< Coulomb's coefficient, on other faces
+  bool self_collides = true;  ///< whether they touch one another
+};
+
 /// A rectangular net of rows × columns equal masses, named <name>.<row>.<column>, row 0 on top.
 struct SheetSpec {
   std::string name;
@@ -175,6 +182,7 @@ struct SheetSpec {
   ExtraLinks weft{};                ///< of the links along rows, in place of `properties`
   std::optional<double> release{};  ///< s, when all of its pins let go
   std::optional<SheetBendingSpec> bending{};
+  std::optional<FacesSpec> faces{};  ///< absent: only its masses touch, as balls
 };
 
 /// Links from each of some masses to the nearest one of others, each as long as they are apart at the start.

@@ -69,8 +69,8 @@ double fastest_speed(const State& state);
 /// How far the worst angle is beyond its range (rad); 0 where none is.
 double largest_limit_excess(const Model& model, const State& state);
 
-/// How deep the deepest contact point is inside what it can't enter (m); 0 where none
-/// is.
+/// How deep the deepest contact point or face is inside what it can't enter: a solid, or of faces the
+/// thickness of others (m); 0 where none is.
 double deepest_penetration(const Model& model, const State& state);
 
 /// Links that are broken.

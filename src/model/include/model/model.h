@@ -11,6 +11,7 @@
 #include "base/vectors.h"
 #include "model/bends.h"
 #include "model/colliders.h"
+#include "model/faces.h"
 #include "model/joints.h"
 #include "model/limits.h"
 #include "model/motion.h"
@@ -165,6 +166,7 @@ struct Model {
   std::optional<Wind> wind;
   std::vector<Triangle> triangles;
   std::vector<Sheet> sheets;
+  std::vector<SheetFaces> faces;  ///< of sheets whose faces touch; those of the others are only drawn
   std::vector<Chain> chains;
   std::vector<Ragdoll> ragdolls;
   std::vector<Bone> bones;

@@ -30,6 +30,7 @@ struct RunMeasures {
   double fastest_speed = 0.0;            ///< m/s
   double limit_excess = 0.0;             ///< rad
   double penetration = 0.0;              ///< m
+  std::size_t tangled = 0;               ///< places where faces go through faces
   std::size_t broken_links = 0;
   RunReport report;
 };

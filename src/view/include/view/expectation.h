@@ -19,6 +19,7 @@ struct Expectation {
   std::optional<std::array<Vec3, 2>> inside;  ///< m, corners of a box that holds every mass at the end
   std::optional<double> limit_excess;         ///< degrees, farthest beyond a limit at the end
   std::optional<double> penetration;          ///< m, deepest inside a collider or the ground at the end
+  std::optional<double> tangled;              ///< most places where faces go through faces at the end
 };
 
 }  // namespace taut

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "contact/face_search.h"
+#include "contact/face_sweep.h"
+#include "model/model.h"
+#include "model/state.h"
+
+namespace taut {
+
+/// Contact of a model's faces with one another and with the edges, corners and balls of solids, for methods
+/// that move positions and derive velocities from them. It remembers nothing from step to step. See
+/// face_contacts.cpp.
+class FaceContacts {
+ public:
+  explicit FaceContacts(const Model& model);
+
+  /// Whether the model has no faces.
+  bool none() const { return none_; }
+
+  /// To be called before the first step and whenever other links are whole than before.
+  void links_changed(const State& state);
+
+  /// To be called once positions of the step have been predicted, with those at its start.
+  void begin_step(const Vectors& start, const Vectors& predicted, double start_time, double end_time);
+
+  /// One pass: keeps faces that are near as far apart as they are thick, and takes from their sliding on one
+  /// another what friction allows.
+  void solve(Vectors& position);
+
+  /// To be called after the last pass: sees to it that nothing has passed through anything on the straight
+  /// way from the start of the step. False: that can't be had, for pins press faces through each other.
+  bool finish(Vectors& position);
+
+  /// Whether any have touched in this step.
+  bool touched() const { return touched_; }
+
+ private:
+  // What keeps a pair apart: Σ weightₖ xₖ·normal ≥ gap.
+  struct Contact {
+    FacePair pair;
+    std::array<double, 4> weights{};
+    Vec3 normal = Vec3::UnitY();
+    Vec3 at_start = Vec3::Zero();  // Σ weightₖ xₖ at the start of the step (m)
+    double gap = 0.0;              // m
+    double friction = 0.0;
+  };
+  // A half-space, at both ends of the step.
+  struct Ground {
+    const Collider* collider = nullptr;
+    HalfSpace start, end;
+  };
+  class Clusters;
+
+  void find_pairs(bool from_new_start);
+  Contact contact_at(const FacePair& pair, const FaceGap& gap) const;
+  void prepare(std::size_t pair);
+  double distance_at_start(std::size_t pair);
+  double stop(std::size_t pair);
+  bool push(const Contact& contact, std::vector<Vec3>& places) const;
+  void put(Vectors& position) const;
+  FaceMeeting meeting(std::size_t pair);
+  bool push_apart_what_meets();
+  bool lift_from_ground();
+  bool hold_together();
+  bool under(const Ground& ground, std::uint32_t node) const;
+
+  const Model& model_;
+  bool none_;
+  FaceSearch search_;
+  std::vector<Ground> grounds_;
+  std::vector<Vec3> start_, end_;          // m, of the nodes
+  std::vector<double> distance_at_start_;  // m, of each pair of the search, where it was asked for
+  std::vector<Contact> contacts_;
+  double end_time_ = 0.0;  // s
+  bool finite_ = true, touched_ = false;
+};
+
+}  // namespace taut

@@ -1,0 +1,190 @@
+#include "model/face_mesh.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace taut {
+namespace {
+
+std::uint32_t add_solid_node(FaceMesh& mesh, const Vec3& place, double radius, std::uint32_t group) {
+  mesh.solid_place.push_back(place);
+  mesh.inverse_mass.push_back(0.0);
+  mesh.radius.push_back(radius);
+  mesh.core.push_back(radius);
+  mesh.group.push_back(group);
+  return mesh.size() - 1;
+}
+
+void add_solid_edge(FaceMesh& mesh, std::uint32_t a, std::uint32_t b) {
+  mesh.edges.push_back({{a, b}, {FaceMesh::no_triangle, FaceMesh::no_triangle}});
+}
+
+void add_solid(FaceMesh&, const HalfSpace&, std::uint32_t) {}
+
+void add_solid(FaceMesh& mesh, const Sphere& sphere, std::uint32_t group) {
+  add_solid_node(mesh, sphere.centre, sphere.radius, group);
+}
+
+void add_solid(FaceMesh& mesh, const Capsule& capsule, std::uint32_t group) {
+  const std::uint32_t a = add_solid_node(mesh, capsule.a, capsule.radius, group);
+  add_solid_edge(mesh, a, add_solid_node(mesh, capsule.b, capsule.radius, group));
+}
+
+// Corner k is on the high side of axis i where bit i of k is set.
+void add_solid(FaceMesh& mesh, const Box& box, std::uint32_t group) {
+  const std::uint32_t first = mesh.size();
+  for (std::uint32_t corner = 0; corner < 8; ++corner) {
+    Vec3 local = box.half_size;
+    for (int axis = 0; axis < 3; ++axis)
+      if ((corner >> static_cast<unsigned>(axis) & 1U) == 0) local[axis] = -local[axis];
+    add_solid_node(mesh, box.centre + box.axes * local, 0.0, group);
+  }
+  for (std::uint32_t corner = 0; corner < 8; ++corner)
+    for (std::uint32_t bit = 1; bit < 8; bit *= 2)
+      if ((corner & bit) == 0) add_solid_edge(mesh, first + corner, first + (corner | bit));
+  for (std::uint32_t bit = 1; bit < 8; bit *= 2) {
+    const std::uint32_t u = bit == 4 ? 1 : 2 * bit, v = 7 - bit - u;
+    for (const std::uint32_t side : {0U, bit}) {
+      const std::uint32_t a = first + side, b = a + u, c = a + v, d = a + u + v;
+      mesh.triangles.push_back({a, b, c});
+      mesh.triangles.push_back({d, c, b});
+    }
+  }
+}
+
+// A number's bits with a free one before each.
+std::uint64_t spread_bits(std::uint32_t number) {
+  std::uint64_t bits = number;
+  for (const unsigned shift : {16U, 8U, 4U, 2U, 1U}) {
+    const std::uint64_t mask = ~std::uint64_t{0} / ((std::uint64_t{1} << shift) + 1);
+    bits = (bits | bits << shift) & mask;
+  }
+  return bits;
+}
+
+// The masses of a sheet along a curve that fills it, Z by Z: what is near on the curve is near in the sheet.
+std::vector<Index> along_curve(const Sheet& sheet) {
+  std::vector<Index> order(std::size_t{sheet.rows} * sheet.columns);
+  std::iota(order.begin(), order.end(), Index{0});
+  const auto place = [&](Index i) {
+    return spread_bits(i / sheet.columns) << 1U | spread_bits(i % sheet.columns);
+  };
+  std::ranges::sort(order, {}, place);
+  return order;
+}
+
+// Adds a sheet's nodes; a mass is one node however many triangles it is a corner of. Gives the node of each
+// of its masses.
+std::vector<std::uint32_t> add_sheet_nodes(FaceMesh& mesh, const Model& model, const SheetFaces& faces,
+                                           std::uint32_t group) {
+  const Sheet& sheet = model.sheets[faces.sheet];
+  std::vector<std::uint32_t> node_of(std::size_t{sheet.rows} * sheet.columns);
+  for (const Index i : along_curve(sheet)) {
+    node_of[i] = mesh.size();
+    mesh.mass.push_back(sheet.first_mass + i);
+    mesh.inverse_mass.push_back(model.masses.inverse_mass[sheet.first_mass + i]);
+    mesh.radius.push_back(0.5 * faces.thickness);
+    mesh.core.push_back(0.0);
+    mesh.group.push_back(group);
+  }
+  return node_of;
+}
+
+// Adds a sheet's triangles and their edges, in the order of the first nodes they have.
+void add_sheet_triangles(FaceMesh& mesh, const Model& model, const Sheet& sheet,
+                         const std::vector<std::uint32_t>& node_of) {
+  std::vector<std::pair<std::array<std::uint32_t, 3>, Index>> triangles;
+  for (Index i = sheet.first_triangle; i < sheet.first_triangle + sheet.triangle_count; ++i) {
+    std::array<std::uint32_t, 3> nodes{};
+    for (std::size_t k = 0; k < 3; ++k) nodes[k] = node_of[model.triangles[i].masses[k] - sheet.first_mass];
+    std::rotate(nodes.begin(), std::ranges::min_element(nodes), nodes.end());
+    triangles.emplace_back(nodes, i);
+  }
+  std::ranges::sort(triangles);
+  std::vector<FaceMesh::Edge> edges;
+  for (const auto& [nodes, of_model] : triangles) {
+    const auto triangle = static_cast<std::uint32_t>(mesh.triangles.size());
+    mesh.triangles.push_back(nodes);
+    mesh.model_triangle.push_back(of_model);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [a, b] = std::minmax(nodes[k], nodes[(k + 1) % 3]);
+      edges.push_back({{a, b}, {triangle, triangle}});
+    }
+  }
+  std::ranges::stable_sort(edges, {}, &FaceMesh::Edge::nodes);
+  for (const FaceMesh::Edge& edge : edges)
+    if (!mesh.edges.empty() && mesh.edges.back().nodes == edge.nodes)
+      mesh.edges.back().triangles[1] = edge.triangles[0];
+    else
+      mesh.edges.push_back(edge);
+}
+
+}  // namespace
+
+FaceMesh::FaceMesh(const Model& model) {
+  if (model.faces.empty()) return;
+  for (const SheetFaces& faces : model.faces) {
+    const auto nodes = add_sheet_nodes(*this, model, faces, static_cast<std::uint32_t>(groups.size()));
+    groups.push_back({&faces, nullptr, faces.friction});
+    add_sheet_triangles(*this, model, model.sheets[faces.sheet], nodes);
+  }
+  for (const Collider& collider : model.colliders) {
+    const auto solid = static_cast<std::uint32_t>(groups.size());
+    groups.push_back({nullptr, &collider, collider.friction});
+    std::visit([&](const auto& shape) { add_solid(*this, shape, solid); }, collider.shape);
+  }
+}
+
+void FaceMesh::places(const Vectors& position, double time, std::vector<Vec3>& out) const {
+  out.resize(size());
+  for (std::size_t node = 0; node < mass.size(); ++node) out[node] = position.at(mass[node]);
+  std::uint32_t placed = 0xffffffffU;  // the group that the placement is of
+  Placement placement;
+  for (std::uint32_t node = static_cast<std::uint32_t>(mass.size()); node < size(); ++node) {
+    const Vec3& stands = solid_place[node - mass.size()];
+    if (!rides(node)) {
+      out[node] = stands;
+      continue;
+    }
+    if (std::exchange(placed, group[node]) != group[node])
+      placement = placement_at(*groups[group[node]].solid->motion, time);
+    out[node] = placement.place(stands);
+  }
+}
+
+bool FaceMesh::meet(std::uint32_t group_a, std::uint32_t group_b) const {
+  const SheetFaces *a = groups[group_a].faces, *b = groups[group_b].faces;
+  if (a == nullptr || b == nullptr) return a != b;
+  if (a == b) return a->self_collides;
+  return a->body != b->body && a->body != no_body && b->body != no_body;
+}
+
+bool FaceMesh::any_meet() const {
+  for (std::uint32_t a = 0; a < groups.size(); ++a)
+    for (std::uint32_t b = 0; b <= a; ++b)
+      if (groups[a].faces != nullptr && groups[b].faces != nullptr && meet(a, b)) return true;
+  return false;
+}
+
+WholeFaces whole_faces(const FaceMesh& mesh, const Model& model, const std::vector<double>& broken_at) {
+  WholeFaces whole;
+  std::vector<bool> alive(mesh.triangles.size(), true), met(mesh.size(), false);
+  for (std::size_t i = 0; i < mesh.model_triangle.size(); ++i)
+    for (const Index link : model.triangles[mesh.model_triangle[i]].links)
+      if (link != no_link && broken_at[link] != infinity) alive[i] = false;
+  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+    if (!alive[i]) continue;
+    whole.triangles.push_back(i);
+    for (const std::uint32_t node : mesh.triangles[i]) met[node] = true;
+  }
+  for (std::uint32_t node = 0; node < mesh.size(); ++node)
+    if (met[node] || mesh.of_solid(node)) whole.points.push_back(node);
+  for (std::uint32_t i = 0; i < mesh.edges.size(); ++i) {
+    const auto [one, other] = mesh.edges[i].triangles;
+    if (one == FaceMesh::no_triangle || alive[one] || alive[other]) whole.edges.push_back(i);
+  }
+  return whole;
+}
+
+}  // namespace taut
