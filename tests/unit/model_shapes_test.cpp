@@ -24,6 +24,11 @@ std::vector<Vec3> places_of(const Scene& scene, const std::string& chain) {
   return places;
 }
 
+void expect_error(const std::string& text, const std::string& words) {
+  const std::string errors = errors_of(text);
+  EXPECT_NE(errors.find(words), std::string::npos) << "not \"" << words << "\" but:\n" << errors;
+}
+
 // The lengths of all links, and how far each is from being as long as it is.
 void expect_links_of_one_length(const Scene& scene) {
   const Model& model = scene.model;
@@ -132,6 +137,17 @@ TEST(WoundChain, TouchesTheSolidAndGoesRoundAsOftenAsItSays) {
   }
 }
 
+TEST(WoundChain, GoesAroundASolidByItsName) {
+  const std::string named =
+      "[[sphere]]\nname = \"bollard\"\ncentre = [5, 0, 0]\n[[chain]]\nname = \"rope\"\nlinks = 90\n"
+      "wound = { around = \"bollard\" }\n";
+  for (const Vec3& place : places_of(shape(named), "rope"))
+    EXPECT_NEAR((place - Vec3(5, 0, 0)).norm(), 1.0, 2e-3);
+  std::string other = named;
+  other.replace(other.rfind("bollard"), 7, "bolard");
+  expect_error(other, "did you mean \"bollard\"?");
+}
+
 TEST(WoundChain, ReadsBackFromTheResolvedText) {
   const std::string text = wound("around = \"capsule.0\"") +
                            laid(20, "smooth = true\n").replace(18, 4, "lain") +
@@ -141,11 +157,6 @@ TEST(WoundChain, ReadsBackFromTheResolvedText) {
   EXPECT_EQ(state_hash(scene.start), state_hash(again.start));
   EXPECT_EQ(scene.model.links.length, again.model.links.length);
   EXPECT_EQ(resolved_toml(scene), resolved_toml(again));
-}
-
-void expect_error(const std::string& text, const std::string& words) {
-  const std::string errors = errors_of(text);
-  EXPECT_NE(errors.find(words), std::string::npos) << "not \"" << words << "\" but:\n" << errors;
 }
 
 TEST(LaidChain, SaysWhatIsWrong) {
