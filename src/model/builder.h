@@ -103,8 +103,8 @@ void find_crowds(const Builder& builder, const Description& description, std::ve
 /// masses be.
 void find_overreach(const Builder& builder, std::vector<Problem>& problems);
 
-/// Reports faces that start through each other or through solids, or nearer than their thickness; nothing where
-/// there are other problems.
+/// Reports faces that start through each other or through solids, or nearer than their thickness; nothing
+/// where there are other problems.
 void find_face_problems(const Builder& builder, const Description& description,
                         std::vector<Problem>& problems);
 
