@@ -31,7 +31,7 @@ Scene load_for(const CompareFlags& flags, const std::string& method) {
   std::vector<std::string> sets = flags.sets;
   for (std::size_t i = 1; i < parts.size(); ++i) sets.push_back(fmt::format("solve.{}", parts[i]));
   Scene scene = load(flags.scene, {sets, std::string(parts.front())}, flags.output.quiet);
-  flags.output.picture.apply_to(scene);
+  flags.output.apply_to(scene);
   // What the scene asks for may be left out of a picture; what the command line asks for may not.
   if (!flags.output.picture.colour.empty()) require_colours(scene);
   return scene;

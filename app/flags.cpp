@@ -15,6 +15,7 @@
 #include "base/failure.h"
 #include "base/nearest.h"
 #include "estimate.h"
+#include "frames/film_time.h"
 #include "host/patience.h"
 #include "host/scene_folder.h"
 #include "host/standard_streams.h"
@@ -117,6 +118,19 @@ void print_notes(const Scene& scene, bool quiet) {
   for (const std::string& note : scene.notes) tell("taut: {}\n", note);
 }
 
+void add_slow(Verb& verb, std::string& slow) {
+  verb.add_option("--slow", slow,
+                  "Slow motion: a film so many times as long, of so many times as many moments, such as 4");
+}
+
+void apply_slow(const std::string& slow, Scene& scene) {
+  if (slow.empty()) return;
+  const double times = parse_number("--slow", slow);
+  if (!(times >= 1e-3 && times <= 1e3))
+    throw BadRequest(fmt::format("--slow takes from 0.001 to 1000, not {}", slow));
+  slow_down(scene.look, times);
+}
+
 void PictureFlags::add_to(Verb& verb) {
   verb.add_option("--size", size, "Width and height in pixels, such as 1280x720, instead of the quality's");
   verb.add_option(
@@ -124,7 +138,8 @@ void PictureFlags::add_to(Verb& verb) {
       "draft (640x360, jagged, no shadows), standard (1280x720) or fine (1920x1080, twice the samples)");
   verb.add_option("--color,--colour", colour,
                   "Colour by plain, strain, tension or speed instead of as the scene says");
-  verb.add_flag("--transparent", transparent, "Nothing behind the scene; PNG with alpha");
+  verb.add_flag("--transparent", transparent,
+                "Nothing behind the scene: PNG with alpha, and film as .mov, .webm or .webp");
   verb.add_flag("--captions,!--no-captions", captions,
                 fmt::format("Below each picture, as a part of its size: title, time, method, figures [{}]",
                             captions ? "on" : "off"));

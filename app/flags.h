@@ -47,6 +47,12 @@ void add_shard(Verb& verb, std::string& shard, const std::string& afterwards);
 /// The part that the flag's text means, or else what a Slurm array says. Throws BadRequest.
 Shard chosen_shard(const std::string& text);
 
+/// Adds the flag --slow.
+void add_slow(Verb& verb, std::string& slow);
+
+/// Slows a scene's film down as the flag's text says; empty: not at all. Throws BadRequest.
+void apply_slow(const std::string& slow, Scene& scene);
+
 /// How pictures are made.
 struct PictureFlags {
   std::string size, quality, colour, gl = "auto", shader_folder;

@@ -92,23 +92,39 @@ void print_failures(std::span<const Scene> scenes, const RenderOutcome& outcome)
            outcome.panels[i].failure);
 }
 
+int parse_depth(const std::string& text) {
+  if (text.empty() || text == "8") return 8;
+  if (text == "16") return 16;
+  throw BadRequest(fmt::format("--depth is 8 or 16 bits a channel, not \"{}\"", text));
+}
+
 }  // namespace
 
 void OutputFlags::add_to(Verb& verb, const std::string& usual_folder) {
   verb.add_option("-o,--output", folder, fmt::format("Folder for the frames [{}]", usual_folder));
-  verb.add_option(
-      "--film", film,
-      "Also make a film; its ending chooses .mp4, .webm, .gif or .webp, and - is standard output (as .mp4; "
-      "webm:- and gif:- otherwise)");
+  verb.add_option("--film", film,
+                  "Also make a film; its ending chooses .mp4, .webm, .gif, .webp or .mov (ProRes 4444, for "
+                  "cutting), and - "
+                  "is standard output (as .mp4; webm:- and gif:- otherwise)");
   verb.add_flag("--no-frames", no_frames, "Only the film, no PNG files");
-  verb.add_option("--frames", selection, "Only these frames, such as 1-100:2,150");
+  verb.add_option("--frames", selection,
+                  "Only these frames, such as 1-100:2,150; a film of every n-th keeps its speed");
   picture.add_to(verb);
   verb.add_option("--fps", rate, "Frames per second, such as 30, 29.97 or 24000/1001 [30]");
+  add_slow(verb, slow);
+  verb.add_option(
+      "--depth", depth,
+      "Bits of a colour channel: 8, in PNG files, or 16, in TIFF files and finer in .mov films [8]");
   add_shard(verb, shard, "taut merge joins them");
   verb.add_flag("--overwrite", overwrite, "Replace frames and a film that are there already");
   verb.add_flag("--json", json, "Print a summary as JSON on stdout");
   verb.add_flag("-v,--verbose", verbose, "Also say what drew, and where the time went");
   verb.add_flag("--quiet", quiet, "No progress and no summary");
+}
+
+void OutputFlags::apply_to(Scene& scene) const {
+  picture.apply_to(scene);
+  apply_slow(slow, scene);
 }
 
 RenderRequest OutputFlags::request(const std::string& usual_folder, std::optional<Size> usual) const {
@@ -119,6 +135,7 @@ RenderRequest OutputFlags::request(const std::string& usual_folder, std::optiona
   request.rate = rate.empty() ? FrameRate{} : parse_frame_rate("--fps", rate);
   request.shard = chosen_shard(shard);
   request.picture = picture.settings(usual);
+  request.picture.render.bits = parse_depth(depth);
   if (json && goes_to_standard_output(film))
     throw BadRequest("--film and --json can't both write to standard output");
   request.overwrite = overwrite;

@@ -15,11 +15,13 @@ namespace taut {
 /// Where frames and films go, and what is told of them.
 struct OutputFlags {
   PictureFlags picture;
-  std::string folder, film, selection, rate, shard;
+  std::string folder, film, selection, rate, slow, depth, shard;
   bool certify = false;
   bool no_frames = false, overwrite = false, json = false, quiet = false, verbose = false;
 
   void add_to(Verb& verb, const std::string& usual_folder);
+  /// Puts what the flags say about colours and speed into a scene. Throws BadRequest.
+  void apply_to(Scene& scene) const;
   /// Throws BadRequest. `usual` is the size of a picture where neither size nor quality is given.
   RenderRequest request(const std::string& usual_folder, std::optional<Size> usual = {}) const;
 };

@@ -34,11 +34,14 @@ Scene scene_of(const RenderFlags& flags, const std::optional<StoredMotion>& moti
 int draw_motion(const RenderFlags& flags) {
   if (!flags.plan.accuracy.empty() || flags.output.certify)
     throw BadRequest("with --motion nothing is simulated: neither --accuracy nor --certify goes with it");
+  if (!flags.output.slow.empty())
+    throw BadRequest(
+        "a motion has the moments that it was simulated for: taut simulate --slow makes more of them");
   const StoredMotion motion = open_motion(flags.motion);
   Scene scene = scene_of(flags, motion);
   require_same_motion(scene, motion);
   print_notes(scene, flags.output.quiet);
-  flags.output.picture.apply_to(scene);
+  flags.output.apply_to(scene);
   RenderRequest request = flags.output.request("out/" + scene.name);
   if (flags.output.rate.empty()) request.rate = parse_frame_rate("--fps", motion.manifest.frame_rate);
   request.motion = motion.reader;
@@ -54,7 +57,7 @@ int render(const RenderFlags& flags) {
     throw BadRequest("there is no scene to render: name a SCENE, or --motion FOLDER");
   Scene scene = load(flags.scene.scene, flags.scene.overrides(), flags.output.quiet);
   print_notes(scene, flags.output.quiet);
-  flags.output.picture.apply_to(scene);
+  flags.output.apply_to(scene);
   RenderRequest request = flags.output.request("out/" + scene.name);
   request.execution = on_threads(flags.scene.thread_count(flags.output.certify ? 2 : 1));
   const InterruptWatch interrupts(end_at_once);

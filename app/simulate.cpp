@@ -23,7 +23,7 @@ namespace {
 struct SimulateFlags {
   SceneFlags scene;
   PlanFlags plan;
-  std::string folder, rate = "30";
+  std::string folder, rate = "30", slow;
   bool overwrite = false, json = false, quiet = false;
 };
 
@@ -55,6 +55,7 @@ void print_motion(const Scene& scene, const MotionRequest& request, const Motion
 int simulate_scene(const SimulateFlags& flags) {
   Scene scene = load(flags.scene.scene, flags.scene.overrides(), flags.quiet);
   print_notes(scene, flags.quiet);
+  apply_slow(flags.slow, scene);
   MotionRequest request;
   request.folder = flags.folder.empty() ? "out/" + scene.name + "-motion" : flags.folder;
   request.rate = parse_frame_rate("--fps", flags.rate);
@@ -88,6 +89,7 @@ void add_simulate(CommandLine& program) {
   verb->add_option("-o,--output", flags->folder, "Folder for the motion [out/<scene>-motion]");
   verb->add_option("--fps", flags->rate, "Moments per second of film, such as 30, 29.97 or 24000/1001")
       ->capture_default_str();
+  add_slow(*verb, flags->slow);
   verb->add_flag("--overwrite", flags->overwrite, "Replace a motion that is there already");
   verb->add_flag("--json", flags->json, "Print a summary as JSON on stdout");
   verb->add_flag("--quiet", flags->quiet, "No progress and no summary");

@@ -1,12 +1,15 @@
 #version 330 core
 // Ground with grid lines that fade where they would alias, and fog towards the horizon. What stops things is a
-// surface (SOLID); what stops nothing is but lines on the mist, to see heights by. CUT_OUT: only the shadow on it,
-// to lay over any page.
+// surface (SOLID), of a colour of its own where it is TINTED; what stops nothing is but lines on the mist, to see
+// heights by. CUT_OUT: only the shadow on it, to lay over any page.
 #include "soft_shadow.glsl"
 #include "dither.glsl"
 
 uniform vec3 normal;
 uniform vec3 foot_and_height;
+#ifdef TINTED
+uniform vec3 tint;  // as displayed, the ground's own colour
+#endif
 
 in vec3 point;
 in vec2 from_foot;
@@ -32,7 +35,12 @@ void main() {
   float lines = min(0.6 * grid_lines(at, 0.012) + 0.8 * grid_lines(0.25 * at, 0.006), 1.0);
   vec3 behind = sky_colour(normalize(point));
 #ifdef SOLID
-  vec3 albedo = ground.rgb * (1.0 - ground.w * lines);
+#ifdef TINTED
+  vec3 own = linear_from_display(tint);
+#else
+  vec3 own = ground.rgb;
+#endif
+  vec3 albedo = own * (1.0 - ground.w * lines);
   vec3 colour = display_from_linear(lit(albedo, normal, normalize(-point), reaching, 0.0));
 #else
   vec3 colour = behind * (1.0 - 0.7 * ground.w * lines) * mix(0.86, 1.0, reaching);

@@ -3,7 +3,7 @@
 #include "lighting.glsl"
 
 // FRONT_COLOUR, BACK_COLOUR: as displayed. PATTERN: 1 checker, 2 woven; without it the cloth is plain. PAINTED:
-// masses are coloured by what they do.
+// masses are coloured by what they do. TINTED: each sheet has colours of its own.
 
 in vec3 to_eye;
 in vec3 front_normal;
@@ -19,6 +19,11 @@ in vec2 weave;
 #endif
 #ifdef PAINTED
 in vec3 painted;
+#endif
+#ifdef TINTED
+flat in vec3 front_colour, back_colour;
+#else
+const vec3 front_colour = FRONT_COLOUR, back_colour = BACK_COLOUR;
 #endif
 
 out vec4 pixel;
@@ -76,7 +81,7 @@ void main() {
 #endif
   pixel = vec4(painted * shade, 1.0);
 #else
-  vec3 albedo = linear_from_display(gl_FrontFacing ? FRONT_COLOUR : BACK_COLOUR) * edge_shade();
+  vec3 albedo = linear_from_display(gl_FrontFacing ? front_colour : back_colour) * edge_shade();
 #ifdef PATTERN
   albedo *= pattern_shade();
 #endif

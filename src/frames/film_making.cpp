@@ -6,7 +6,7 @@
 #include "base/stopwatch.h"
 #include "output/atomic_file.h"
 #include "output/content_hash.h"
-#include "output/png_read.h"
+#include "output/frame_file.h"
 
 namespace taut {
 
@@ -24,7 +24,7 @@ void add_from_files(Film& film, const FrameFolder& folder, std::span<const int> 
     const std::filesystem::path file = folder.frame_file(frame);
     const std::optional<std::string> bytes = bytes_of_file(file);
     if (!bytes) throw RunFailure(fmt::format("{} has gone", file.string()));
-    film.add(decode_png(*bytes, file), stop);
+    film.add(decode_frame(*bytes, folder.manifest().bits, file), stop);
     if (added) added(++count);
   }
 }
@@ -47,7 +47,7 @@ RenderOutcome film_from_files(const RenderRequest& request, std::size_t panels, 
   StageClock clock;
   job.folder->begin();
   std::optional<Film> film;
-  begin_film(film, film_settings(request, panels));
+  begin_film(film, film_settings(request, panels, job.frames));
   progress.start(static_cast<int>(job.frames.size()));
   try {
     add_from_files(*film, *job.folder, job.frames, stop, [&](int done) { progress.update(done); });

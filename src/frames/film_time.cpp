@@ -1,6 +1,10 @@
 #include "frames/film_time.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+
+#include "base/failure.h"
 
 namespace taut {
 namespace {
@@ -41,6 +45,20 @@ double scene_time(const Look& look, double film_time) {
     rate = speed;
   });
   return found ? time : begin + (film_time - film) * rate;
+}
+
+void slow_down(Look& look, double times) {
+  constexpr double slowest = 1e-3, fastest = 1e3;
+  if (look.speed.empty() || look.speed.front()[0] > 0.0) look.speed.insert(look.speed.begin(), {0.0, 1.0});
+  for (auto& [from, speed] : look.speed) {
+    speed /= times;
+    if (!(speed >= slowest && speed <= fastest))
+      throw BadRequest(
+          fmt::format("{} times as slow, {:.6g} s of the scene would pass in a second of film from {:.6g} s "
+                      "on; from {} to "
+                      "{} can",
+                      times, speed, from, slowest, fastest));
+  }
 }
 
 double film_speed(const Look& look, double time) {

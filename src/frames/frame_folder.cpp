@@ -13,6 +13,7 @@
 #include "base/stopwatch.h"
 #include "output/atomic_file.h"
 #include "output/content_hash.h"
+#include "output/frame_file.h"
 
 namespace taut {
 namespace {
@@ -20,9 +21,10 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_frame_name(const std::string& name) {
-  constexpr std::string_view before = "frame-", after = ".png";
-  if (name.size() != before.size() + 6 + after.size() || !name.starts_with(before) || !name.ends_with(after))
-    return false;
+  constexpr std::string_view before = "frame-";
+  constexpr std::size_t ending = 4;  // letters, the dot among them
+  if (name.size() != before.size() + 6 + ending || !name.starts_with(before)) return false;
+  if (!name.ends_with(frame_ending(8)) && !name.ends_with(frame_ending(16))) return false;
   const std::string digits = name.substr(before.size(), 6);
   return std::ranges::all_of(digits, [](char c) { return c >= '0' && c <= '9'; });
 }
@@ -60,18 +62,17 @@ std::string manifest_name(const Shard& shard) {
   return fmt::format("manifest{}.json", shard.suffix());
 }
 
-fs::path frame_file(const fs::path& folder, int frame) {
-  return folder / fmt::format("frame-{:06}.png", frame);
+fs::path frame_file(const fs::path& folder, int frame, int bits) {
+  return folder / fmt::format("frame-{:06}{}", frame, frame_ending(bits));
 }
 
-std::vector<int> frame_files_in(const fs::path& folder) {
-  std::vector<int> frames;
+std::vector<fs::path> frame_files_in(const fs::path& folder) {
+  std::vector<fs::path> files;
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
-    if (const std::string name = entry.path().filename().string(); is_frame_name(name))
-      frames.push_back(std::stoi(name.substr(6, 6)));
-  std::ranges::sort(frames);
-  return frames;
+    if (is_frame_name(entry.path().filename().string())) files.push_back(entry.path());
+  std::ranges::sort(files);
+  return files;
 }
 
 FrameFolder::FrameFolder(fs::path folder, Manifest wanted, const Shard& shard, bool overwrite)
@@ -120,7 +121,7 @@ void FrameFolder::begin() {
 void FrameFolder::remove_frames() const {
   std::vector<fs::path> files{checkpoint_file()};
   if (shard_.all()) {
-    for (const int frame : frame_files_in(folder_)) files.push_back(frame_file(frame));
+    for (const fs::path& frame : frame_files_in(folder_)) files.push_back(frame);
     for (const auto& entry : fs::directory_iterator(folder_))
       if (entry.path().filename().string().starts_with("manifest-")) files.push_back(entry.path());
   }
@@ -131,10 +132,10 @@ fs::path FrameFolder::checkpoint_file() const {
   return folder_ / (fmt::format("checkpoint{}.bin", shard_.suffix()));
 }
 
-void FrameFolder::write(int frame, std::span<const std::uint8_t> png, const std::string& state_hash) {
-  write_file(frame_file(frame), std::as_bytes(png));
+void FrameFolder::write(int frame, std::span<const std::uint8_t> file, const std::string& state_hash) {
+  write_file(frame_file(frame), std::as_bytes(file));
   unsynced_.push_back(frame_file(frame));
-  add(frame, {state_hash, Hash().add(std::as_bytes(png)).hex()});
+  add(frame, {state_hash, Hash().add(std::as_bytes(file)).hex()});
 }
 
 void FrameFolder::add(int frame, const FrameRecord& record) {

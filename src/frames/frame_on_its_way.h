@@ -49,7 +49,7 @@ struct Lane {
 /// What OpenGL has been told to draw. Whoever waits for it is told when it is lost, too.
 struct Submitted : Shaped {
   std::promise<Finished> finished;
-  bool as_png = false;
+  bool as_file = false;
 };
 
 /// Parts of pictures, to be laid together and compressed.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <numeric>
@@ -81,6 +82,17 @@ std::vector<int> all_frames(int count) {
   std::vector<int> frames(static_cast<std::size_t>(count));
   std::iota(frames.begin(), frames.end(), 1);
   return frames;
+}
+
+FrameRate rate_of_selection(const std::vector<int>& frames, const FrameRate& rate) {
+  std::int64_t least = 0;
+  for (std::size_t i = 0; i + 1 < frames.size(); ++i) {
+    const std::int64_t step = frames[i + 1] - frames[i];
+    least = least == 0 ? step : std::min(least, step);
+  }
+  if (least <= 1) return rate;
+  const std::int64_t seconds = rate.seconds * least, common = std::gcd(rate.frames, seconds);
+  return {rate.frames / common, seconds / common};
 }
 
 std::string selection_text(const std::vector<int>& frames) {

@@ -16,7 +16,7 @@ struct FinishedFrame {
   int frame = 0;
   std::string state_hash;
   Image image;
-  std::vector<std::uint8_t> png;                 ///< the image as a file; empty where no sink wants that
+  std::vector<std::uint8_t> file;                ///< the image as a file; empty where no sink wants that
   std::shared_ptr<const Checkpoint> checkpoint;  ///< from which it could be simulated again; mostly null
 };
 
@@ -32,7 +32,7 @@ class FrameSink {
   virtual void begin(const StopTest& stop) = 0;
   /// Whether it wants this frame, asked before it is drawn, and from another thread than take()'s.
   virtual bool wants(int frame, const std::string& state_hash) const = 0;
-  virtual bool wants_png() const = 0;
+  virtual bool wants_file() const = 0;
   /// Takes a frame it wants, in the order of time. Throws RunFailure, and Interrupted.
   virtual void take(const FinishedFrame& frame, const StopTest& stop) = 0;
 };

@@ -26,7 +26,7 @@
 #include "frames/settled_view.h"
 #include "output/atomic_file.h"
 #include "output/film.h"
-#include "output/png.h"
+#include "output/frame_file.h"
 #include "panel_runs.h"
 #include "render_job.h"
 #include "sinks.h"
@@ -188,10 +188,10 @@ std::optional<Submitted> Pipeline::next_to_draw() {
     for (Lane& lane : lanes_) {
       if (!lane.sink.wants(frame.frame, frame.hash)) continue;
       wanted = true;
-      frame.as_png = frame.as_png || lane.sink.wants_png();
+      frame.as_file = frame.as_file || lane.sink.wants_file();
       lane.frames.push(finished);
     }
-    if (job_.folder && !frame.as_png) ++outcome_.kept;
+    if (job_.folder && !frame.as_file) ++outcome_.kept;
     outcome_.drawn += wanted ? 1 : 0;
     if (wanted) return frame;
   }
@@ -210,8 +210,8 @@ void Pipeline::finish_frames(const PanelPainter& painter) {
       FinishedFrame finished{frame.frame, frame.hash, {}, {}, frame.checkpoint};
       finished.image =
           clock_.time(Stage::flatten, [&] { return painter.finish(drawn->panels, frame.captions); });
-      if (frame.as_png)
-        finished.png = clock_.time(Stage::compress, [&] { return encode_png(finished.image); });
+      if (frame.as_file)
+        finished.file = clock_.time(Stage::compress, [&] { return encode_frame(finished.image); });
       frame.finished.set_value(std::make_shared<const FinishedFrame>(std::move(finished)));
     } catch (...) {
       frame.finished.set_exception(std::current_exception());
@@ -282,7 +282,7 @@ RenderOutcome Pipeline::run() {
     job_.folder->begin();
   }
   std::optional<Film> film;
-  if (job_.make_film) begin_film(film, film_settings(request_, scenes_.size()));
+  if (job_.make_film) begin_film(film, film_settings(request_, scenes_.size(), job_.frames));
   outcome_.drawn_by = painter.drawn_by();
   if (job_.folder) job_.folder->set_drawn_by(outcome_.drawn_by);
   progress_.start(static_cast<int>(job_.frames.size()));

@@ -15,7 +15,7 @@
 #include "output/atomic_file.h"
 #include "output/content_hash.h"
 #include "output/film.h"
-#include "output/png_read.h"
+#include "output/frame_file.h"
 #include "thread_budget.h"
 
 namespace taut {
@@ -55,7 +55,8 @@ void take(const Part& part, FrameFolder& folder, const fs::path& into, const Sto
   for (const auto& [frame, record] : part.manifest.frames) {
     stop_if_told(stop);
     if (folder.has(frame)) continue;
-    const std::optional<std::string> bytes = bytes_of_file(frame_file(part.folder, frame));
+    const std::optional<std::string> bytes =
+        bytes_of_file(frame_file(part.folder, frame, part.manifest.bits));
     if (!bytes || content_hash_of(*bytes) != record.content) continue;
     if (copy) write_file(folder.frame_file(frame), *bytes);
     folder.add(frame, record);
@@ -82,10 +83,12 @@ void make_film(FrameFolder& folder, const fs::path& into, const fs::path& file, 
   numbers.reserve(manifest.frames.size());
   for (const auto& [frame, record] : manifest.frames) numbers.push_back(frame);
   const fs::path first = folder.frame_file(numbers.front());
-  const bool transparent = decode_png(bytes_of_file(first).value_or(""), first).channels == 4;
+  const bool transparent =
+      decode_frame(bytes_of_file(first).value_or(""), manifest.bits, first).channels == 4;
   std::optional<Film> film;
-  begin_film(film, {file, manifest.size, frame_rate_from(manifest.frame_rate).value_or(FrameRate{}),
-                    transparent, thread_budget(static_cast<int>(this_machine().threads)).film});
+  begin_film(film,
+             {file, manifest.size, frame_rate_from(manifest.frame_rate).value_or(FrameRate{}), transparent,
+              thread_budget(static_cast<int>(this_machine().threads)).film, manifest.bits});
   add_from_files(*film, folder, numbers, stop);
   film->finish(stop);
   if (is_film_stream(file)) return;

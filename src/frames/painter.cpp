@@ -27,8 +27,9 @@ RenderSettings drawn(const PictureSettings& settings) {
 
 // Before anything is drawn or written: OpenGL says so only when it is too late.
 void check_memory(const RenderSettings& settings) {
-  constexpr double bytes_per_sample = 8.0;  // colour and depth
-  constexpr double bytes_per_pixel = 24.0;  // fetched, laid together, and on their way to a file
+  const double bytes_of_colour = 4.0 * settings.bits / 8.0;
+  const double bytes_per_sample = bytes_of_colour + 4.0;  // colour and depth
+  const double bytes_per_pixel = 6.0 * bytes_of_colour;  // fetched, laid together, and on their way to a file
   constexpr int most_samples_at_once = 4;
   const double pixels = static_cast<double>(settings.size.width) * settings.size.height;
   const double bytes =
@@ -73,10 +74,11 @@ Size PictureSettings::drawn_size() const {
 
 std::string settings_text(const PictureSettings& settings) {
   const RenderSettings& render = settings.render;
-  return fmt::format("{}x{}{}, {} samples, shadows {}, {}, gl {}, shaders {}", render.size.width,
-                     render.size.height, settings.captions ? " with captions" : "", render.samples,
-                     render.shadow_map_size, render.transparent ? "transparent" : "opaque",
-                     settings.gl.name(), shaders_text(settings.shader_folder));
+  return fmt::format("{}x{}{}{}, {} samples, shadows {}, {}, gl {}, shaders {}", render.size.width,
+                     render.size.height, settings.captions ? " with captions" : "",
+                     render.bits == 16 ? " of 16 bits" : "", render.samples, render.shadow_map_size,
+                     render.transparent ? "transparent" : "opaque", settings.gl.name(),
+                     shaders_text(settings.shader_folder));
 }
 
 struct Painter::Tools {

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "model/measures.h"
+#include "render/appearance.h"
 #include "render/camera.h"
 #include "render/ground.h"
 
@@ -24,7 +25,8 @@ std::string place_of(const Ground& ground) {
   return fmt::format("height {:.6g} m", ground.normal.dot(ground.point));
 }
 
-std::size_t masses_outside(const Scene& scene, Size size, const State& state) {
+std::size_t masses_outside(const Scene& scene, const std::vector<bool>& seen_masses, Size size,
+                           const State& state) {
   const CameraPose pose = camera_pose(scene.camera, scene.model, scene.start, state);
   // Of all masses at once, so what is the same for them is worked out before.
   const Eigen::Matrix3d to_picture = sight_axes(pose.eye - pose.target, pose.up).transpose();
@@ -32,6 +34,7 @@ std::size_t masses_outside(const Scene& scene, Size size, const State& state) {
   const double right = up * size.width / size.height;
   std::size_t outside = 0;
   for (std::size_t i = 0; i < state.position.size(); ++i) {
+    if (!seen_masses[i]) continue;
     const Vec3 seen = to_picture * (state.position.at(i) - pose.eye);
     const double depth = -seen.z();
     const bool inside =
@@ -49,23 +52,25 @@ std::optional<std::string> ground_note(const Scene& scene, const State& state) {
     const auto height = [&](const Vec3& place) { return ground.normal.dot(place - ground.point); };
     if (ground.solid || height(pose.eye) <= 0.0) continue;
     const double rounding = 1e-9 * scene_size(scene.model, scene.start);
+    const std::vector<bool> seen = masses_in_view(scene.model, scene.look);
     std::size_t below = 0;
     for (std::size_t i = 0; i < state.position.size(); ++i)
-      if (height(state.position.at(i)) < -rounding) ++below;
+      if (seen[i] && height(state.position.at(i)) < -rounding) ++below;
     if (below > 0)
       return fmt::format(
           "at {:.4g} s {} of {} masses {} below the drawn ground at {}, which stops nothing: add a "
           "[[plane]], or "
           "set look.ground_height or look.ground = false",
-          state.time, below, state.position.size(), below == 1 ? "is" : "are", place_of(ground));
+          state.time, below, std::ranges::count(seen, true), below == 1 ? "is" : "are", place_of(ground));
   }
   return std::nullopt;
 }
 
 void PictureNotes::see(const Scene& scene, Size size, bool ground, const State& state) {
   if (ground && !ground_) ground_ = ground_note(scene, state);
-  const std::size_t outside = masses_outside(scene, size, state);
-  masses_ = state.position.size();
+  if (seen_masses_.empty()) seen_masses_ = masses_in_view(scene.model, scene.look);
+  const std::size_t outside = masses_outside(scene, seen_masses_, size, state);
+  masses_ = static_cast<std::size_t>(std::ranges::count(seen_masses_, true));
   least_out_ = seen_any_ ? std::min(least_out_, outside) : outside;
   seen_any_ = true;
   if (outside > 0 && most_out_ == 0) out_since_ = state.time;

@@ -79,9 +79,13 @@ std::vector<int> frames_of(const RenderRequest& request, int count) {
 
 }  // namespace
 
-FilmSettings film_settings(const RenderRequest& request, std::size_t panels) {
-  return {*request.film, sheet_size(request.picture.render.size, panels), request.rate,
-          request.picture.render.transparent, thread_budget(request.cores).film};
+FilmSettings film_settings(const RenderRequest& request, std::size_t panels, const std::vector<int>& frames) {
+  return {*request.film,
+          sheet_size(request.picture.render.size, panels),
+          rate_of_selection(frames, request.rate),
+          request.picture.render.transparent,
+          thread_budget(request.cores).film,
+          request.picture.render.bits};
 }
 
 bool RenderJob::complete() const {
@@ -131,7 +135,7 @@ RenderJob make_render_job(std::span<const Scene> scenes, const RenderRequest& re
   if (request.film && !request.shard.all())
     throw BadRequest(
         "a film needs the frames of all shards: taut merge FOLDER --film FILE makes it when they are there");
-  if (request.film) check_film_settings(film_settings(request, scenes.size()));
+  if (request.film) check_film_settings(film_settings(request, scenes.size(), job.frames));
 
   if (request.motion) require_moments(scenes.front(), request, job.frames);
   const Manifest wanted = frames_manifest(scenes, request);

@@ -35,8 +35,8 @@ struct RenderJob {
   bool complete() const;
 };
 
-/// The film that a request asks for, of so many panels; only for one that asks.
-FilmSettings film_settings(const RenderRequest& request, std::size_t panels);
+/// The film that a request asks for, of so many panels and those frames; only for one that asks.
+FilmSettings film_settings(const RenderRequest& request, std::size_t panels, const std::vector<int>& frames);
 
 /// Checks a request. Writes nothing. Throws BadRequest, OutputConflict, and RunFailure where the program for
 /// films is missing.

@@ -23,7 +23,7 @@ void add_run(const Scene& scene, const Execution& execution, const StopTest& sto
     // Why a run ends early is said when its pictures are made.
     if (run.ended()) return;
     if (!state) throw Interrupted();
-    range.add(scene.model, *state);
+    range.add(scene.model, *state, scene.look);
   }
 }
 
@@ -32,7 +32,7 @@ void add_run(const Scene& scene, const Execution& execution, const StopTest& sto
 void settle_colours(Scene& scene, const std::vector<State>& states) {
   if (!has_open_range(scene.look)) return;
   ColourRange range(scene.look.colour_by);
-  for (const State& state : states) range.add(scene.model, state);
+  for (const State& state : states) range.add(scene.model, state, scene.look);
   scene.look.colour_range = range.top();
 }
 
@@ -40,7 +40,8 @@ void settle_colours(Scene& scene, const MotionReader& motion) {
   if (!has_open_range(scene.look)) return;
   ColourRange range(scene.look.colour_by);
   for (int moment = 0; moment <= moments_for_colours; ++moment)
-    range.add(scene.model, motion.between(scene.duration * moment / moments_for_colours, scene.model));
+    range.add(scene.model, motion.between(scene.duration * moment / moments_for_colours, scene.model),
+              scene.look);
   scene.look.colour_range = range.top();
 }
 

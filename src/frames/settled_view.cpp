@@ -10,6 +10,7 @@
 
 #include "look_ahead.h"
 #include "model/measures.h"
+#include "render/appearance.h"
 #include "render/camera.h"
 #include "render/camera_fit.h"
 #include "render/ground.h"
@@ -61,9 +62,11 @@ void visit_corners(const Scene& scene, const Visit& visit) {
 
 void visit_motion(const Scene& scene, const StopTest& stop, const Visit& visit) {
   const std::vector<double> radii = drawn_radii(scene.model, scene.look);
+  const std::vector<bool> seen = masses_in_view(scene.model, scene.look);
   look_ahead(scene, stop, [&](const State& state) {
     const Vec3 shift = displacement(scene.camera.follow, scene.model, scene.start, state);
-    for (std::size_t i = 0; i < radii.size(); ++i) visit(state.position.at(i) - shift, radii[i], state.time);
+    for (std::size_t i = 0; i < radii.size(); ++i)
+      if (seen[i]) visit(state.position.at(i) - shift, radii[i], state.time);
   });
 }
 
@@ -71,6 +74,12 @@ bool has_open_ground(const Scene& scene) {
   const std::vector<Ground> grounds =
       drawn_grounds(scene.model, scene.look, up_direction(scene.camera, scene.model));
   return grounds.size() == 1 && !grounds.front().solid && !scene.look.ground_height;
+}
+
+void add_start(const Scene& scene, Box& box) {
+  const std::vector<bool> seen = masses_in_view(scene.model, scene.look);
+  for (std::size_t i = 0; i < seen.size(); ++i)
+    if (seen[i]) box.add(scene.start.position.at(i), 0.0);
 }
 
 // What was learnt about what there is to show.
@@ -90,7 +99,7 @@ Shown shown(const Scene& scene, double aspect, const StopTest& stop) {
     if (camera.show)
       visit_corners(scene, add);
     else
-      for (std::size_t i = 0; i < scene.model.masses.size(); ++i) box.add(scene.start.position.at(i), 0.0);
+      add_start(scene, box);
     centre = box.middle();
   }
   Shown result{CameraFit(sight_axes(camera.direction, up), camera.field_of_view, aspect,

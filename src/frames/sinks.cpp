@@ -12,7 +12,7 @@ void FolderSink::take(const FinishedFrame& frame, const StopTest& /*stop*/) {
       folder_.write(*frame.checkpoint);
       checkpoints_.written(watch.seconds());
     }
-    folder_.write(frame.frame, frame.png, frame.state_hash);
+    folder_.write(frame.frame, frame.file, frame.state_hash);
   });
 }
 

@@ -22,7 +22,7 @@ class FolderSink final : public FrameSink {
     const auto found = there_.find(frame);
     return found == there_.end() || found->second.state != state_hash;
   }
-  bool wants_png() const override { return true; }
+  bool wants_file() const override { return true; }
   void take(const FinishedFrame& frame, const StopTest& stop) override;
 
  private:
@@ -44,7 +44,7 @@ class FilmSink final : public FrameSink {
     if (folder_ != nullptr) clock_.time(Stage::feed, [&] { add_from_files(film_, *folder_, done_, stop); });
   }
   bool wants(int /*frame*/, const std::string& /*state_hash*/) const override { return true; }
-  bool wants_png() const override { return false; }
+  bool wants_file() const override { return false; }
   void take(const FinishedFrame& frame, const StopTest& stop) override {
     clock_.time(Stage::feed, [&] { film_.add(frame.image, stop); });
   }

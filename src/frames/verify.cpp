@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <system_error>
 
 #include "base/failure.h"
@@ -15,7 +16,7 @@
 #include "host/build_info.h"
 #include "host/versions.h"
 #include "output/content_hash.h"
-#include "output/png_check.h"
+#include "output/frame_file.h"
 #include "panel_runs.h"
 
 namespace taut {
@@ -60,12 +61,12 @@ class Check {
   void frames() {
     for (const auto& [frame, record] : manifest_.frames) {
       ++found_.checked;
-      const fs::path file = frame_file(folder_, frame);
+      const fs::path file = frame_file(folder_, frame, manifest_.bits);
       const std::string shown = file.filename().string();
       std::error_code error;
       if (!fs::exists(file, error))
         fault("{} is missing", shown);
-      else if (!is_whole_png(file, manifest_.size))
+      else if (!is_whole_frame(file, manifest_.size, manifest_.bits))
         fault("{} is not a whole picture of {}x{}", shown, manifest_.size.width, manifest_.size.height);
       else if (const std::optional<std::string> content = content_hash(file); content != record.content)
         fault("{} is not the picture that was made: another frame, of another scene, or changed", shown);
@@ -137,13 +138,16 @@ class Check {
 void look_beside(const fs::path& folder, const std::map<std::string, Manifest>& manifests,
                  Verification& found) {
   std::vector<int> known;
+  std::set<fs::path> files;
   for (const auto& [name, manifest] : manifests)
-    for (const auto& [frame, record] : manifest.frames) known.push_back(frame);
+    for (const auto& [frame, record] : manifest.frames) {
+      known.push_back(frame);
+      files.insert(frame_file(folder, frame, manifest.bits));
+    }
   std::ranges::sort(known);
-  for (const int frame : frame_files_in(folder))
-    if (!std::ranges::binary_search(known, frame))
-      found.faults.push_back(
-          fmt::format("{} is in no manifest", frame_file(folder, frame).filename().string()));
+  for (const fs::path& file : frame_files_in(folder))
+    if (!files.contains(file))
+      found.faults.push_back(fmt::format("{} is in no manifest", file.filename().string()));
   for (const int frame : all_frames(manifests.begin()->second.frame_count))
     if (!std::ranges::binary_search(known, frame)) found.missing.push_back(frame);
 }

@@ -42,6 +42,7 @@ Manifest common_manifest(std::span<const Scene> scenes, const FrameRate& rate, c
 Manifest frames_manifest(std::span<const Scene> scenes, const RenderRequest& request) {
   Manifest manifest = common_manifest(scenes, request.rate, request.plan);
   manifest.size = sheet_size(request.picture.render.size, scenes.size());
+  manifest.bits = request.picture.render.bits;
   manifest.picture = settings_text(request.picture);
   manifest.drawing = drawing_version();
   for (const Scene& other : scenes.subspan(1)) manifest.other_tomls.push_back(resolved_toml(other));

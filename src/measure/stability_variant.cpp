@@ -19,6 +19,7 @@ void set_stiffness(Description& description, double stiffness, bool of_rigid_lin
     if (!of_rigid_links_only || !properties.stiffness) properties.stiffness = stiffness;
   };
   for (ChainSpec& chain : description.chains) set(chain.properties);
+  for (TieSpec& tie : description.ties) set(tie.properties);
   for (LinkSpec& link : description.links) set(link.properties);
   for (SheetSpec& sheet : description.sheets) {
     set(sheet.properties);
@@ -28,9 +29,10 @@ void set_stiffness(Description& description, double stiffness, bool of_rigid_lin
 }
 
 void set_links(Description& description, int links) {
-  if (description.chains.size() != 1 || !description.sheets.empty() || !description.links.empty())
+  if (description.chains.size() != 1 || !description.sheets.empty() || !description.links.empty() ||
+      !description.chains[0].straight())
     throw BadRequest(
-        "a map over the number of links needs a scene that is one [[chain]] and has no other links");
+        "a map over the number of links needs a scene that is one straight [[chain]] and has no other links");
   ChainSpec& chain = description.chains[0];
   const double factor = static_cast<double>(links) / chain.links;
   chain.mass *= (links + 1.0) / (chain.links + 1.0);

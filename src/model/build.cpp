@@ -15,6 +15,8 @@ namespace taut {
 namespace {
 
 void add_masses(Builder& builder, const std::vector<MassSpec>& specs) {
+  builder.model.singles.first_mass = static_cast<Index>(builder.model.masses.size());
+  builder.model.singles.mass_count = static_cast<Index>(specs.size());
   for (const MassSpec& spec : specs) {
     builder.begin_body(spec.collides);
     const Index mass =
@@ -26,6 +28,8 @@ void add_masses(Builder& builder, const std::vector<MassSpec>& specs) {
 
 void add_links(Builder& builder, const std::vector<LinkSpec>& specs, const MassesByName& by_name,
                std::vector<Problem>& problems) {
+  builder.model.singles.first_link = static_cast<Index>(builder.model.links.size());
+  builder.model.singles.link_count = static_cast<Index>(specs.size());
   for (std::size_t i = 0; i < specs.size(); ++i) {
     const LinkSpec& spec = specs[i];
     builder.begin_entry("link", i);
@@ -138,7 +142,7 @@ Built build(const Description& description) {
   add_solids(builder, description);
   for (std::size_t i = 0; i < description.chains.size(); ++i) {
     builder.begin_entry("chain", i);
-    add_chain(builder, description.chains[i]);
+    add_chain(builder, description.chains[i], description);
   }
   for (std::size_t i = 0; i < description.sheets.size(); ++i) {
     builder.begin_entry("sheet", i);
@@ -154,6 +158,7 @@ Built build(const Description& description) {
   find_crowds(builder, description, built.problems);
   const MassesByName by_name = names_in_use(description, builder.model.masses);
   add_links(builder, description.links, by_name, built.problems);
+  add_ties(builder, description.ties, built.problems);
   find_overreach(builder, built.problems);
   add_seams(builder, description, built.problems);
   add_loads(builder.model, description.loads, built.problems);

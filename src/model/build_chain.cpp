@@ -4,6 +4,7 @@
 #include <string>
 
 #include "builder.h"
+#include "chain_ways.h"
 
 namespace taut {
 namespace {
@@ -32,7 +33,7 @@ Vec3 sag_direction(const Vec3& along, const Vec3& gravity) {
 
 // The straight row from `from` to `to`, or the arc of equal chords between them when the chain is longer than
 // that.
-std::vector<Vec3> chain_points(const ChainSpec& spec, const Vec3& gravity) {
+std::vector<Vec3> straight_chain(const ChainSpec& spec, const Vec3& gravity) {
   const Vec3 span = spec.to - spec.from;
   const double distance = span.norm();
   std::vector<Vec3> points(static_cast<std::size_t>(spec.links) + 1, spec.from);
@@ -53,20 +54,35 @@ std::vector<Vec3> chain_points(const ChainSpec& spec, const Vec3& gravity) {
   return points;
 }
 
+// Where masses are, and how long each link is (m).
+struct ChainLayout {
+  std::vector<Vec3> points;
+  double link = 0.0;
+};
+
+ChainLayout layout_of(const ChainSpec& spec, const Description& description) {
+  if (spec.straight()) {
+    const double length = spec.length > 0.0 ? spec.length : (spec.to - spec.from).norm();
+    return {straight_chain(spec, description.gravity), length / spec.links};
+  }
+  ChainLayout layout{*laid_out_chain(spec, description), 0.0};
+  layout.link = (layout.points[1] - layout.points[0]).norm();
+  return layout;
+}
+
 }  // namespace
 
 Counts count(const ChainSpec& spec) {
   return {spec.links + 1.0, static_cast<double>(spec.links), 0.0, 0.0};
 }
 
-void add_chain(Builder& builder, const ChainSpec& spec) {
+void add_chain(Builder& builder, const ChainSpec& spec, const Description& description) {
   const auto pinned = [&](std::string_view end) {
     return std::find(spec.pinned.begin(), spec.pinned.end(), end) != spec.pinned.end();
   };
   builder.begin_body(spec.collides);
-  const std::vector<Vec3> points = chain_points(spec, builder.model.gravity);
+  const auto [points, link_length] = layout_of(spec, description);
   const double share = spec.mass / static_cast<double>(points.size());
-  const double link_length = (spec.length > 0.0 ? spec.length : (spec.to - spec.from).norm()) / spec.links;
   Chain chain{spec.name, static_cast<Index>(builder.model.masses.size()),
               static_cast<Index>(builder.model.links.size()), static_cast<Index>(spec.links)};
   for (std::size_t i = 0; i < points.size(); ++i) {

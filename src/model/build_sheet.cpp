@@ -73,6 +73,27 @@ Path hook_path(const SheetSpec& spec, int column) {
   return make_path(std::move(knots));
 }
 
+// How an edge is moved, and the mass that its path is that of.
+struct EdgeMotion {
+  const MotionSpec* motion = nullptr;
+  int row = 0, column = 0;
+};
+
+EdgeMotion motion_at(const SheetSpec& spec, int row, int column) {
+  const int last_row = spec.rows - 1, last_column = spec.columns - 1;
+  if (row == 0 && spec.top_motion.given()) return {&spec.top_motion, 0, 0};
+  if (row == last_row && spec.bottom_motion.given()) return {&spec.bottom_motion, last_row, 0};
+  if (column == 0 && spec.left_motion.given()) return {&spec.left_motion, 0, 0};
+  if (column == last_column && spec.right_motion.given()) return {&spec.right_motion, 0, last_column};
+  return {};
+}
+
+// The same motion from another place.
+MotionSpec moved_by(MotionSpec motion, const Vec3& offset) {
+  for (Knot& knot : motion.path) knot.position += offset;
+  return motion;
+}
+
 void add_masses(Builder& builder, const SheetSpec& spec) {
   const double first_share = spec.hooks.draw.empty() ? 1.0 : spec.hooks.draw.front()[1];
   const Vec3 rail = spec.to - spec.from;
@@ -80,16 +101,20 @@ void add_masses(Builder& builder, const SheetSpec& spec) {
   const std::vector<Vec3> offsets = column_offsets(spec, spec.fullness / first_share, rail, outward);
   const std::vector<std::string> edges = different_edges(spec);
   const double share = spec.mass / (static_cast<double>(spec.rows) * spec.columns);
+  const auto place = [&](int row, int column) -> Vec3 {
+    return spec.from + spec.down * (static_cast<double>(row) / (spec.rows - 1)) +
+           offsets[static_cast<std::size_t>(column)];
+  };
   for (int row = 0; row < spec.rows; ++row) {
-    const Vec3 row_start = spec.from + spec.down * (static_cast<double>(row) / (spec.rows - 1));
     for (int column = 0; column < spec.columns; ++column) {
       const bool hook = is_hook(spec, row, column);
-      const Index mass =
-          builder.add_mass(spec.name + "." + std::to_string(row) + "." + std::to_string(column),
-                           row_start + offsets[static_cast<std::size_t>(column)], Vec3::Zero(), share,
-                           hook || pinned_by_edge(spec, edges, row, column),
-                           spec.faces ? 0.5 * spec.faces->thickness : spec.radius);
+      const Index mass = builder.add_mass(
+          spec.name + "." + std::to_string(row) + "." + std::to_string(column), place(row, column),
+          Vec3::Zero(), share, hook || pinned_by_edge(spec, edges, row, column),
+          spec.faces ? 0.5 * spec.faces->thickness : spec.radius);
       if (hook && !spec.hooks.draw.empty()) builder.drive(mass, hook_path(spec, column));
+      if (const EdgeMotion edge = motion_at(spec, row, column); edge.motion != nullptr)
+        builder.drive(mass, moved_by(*edge.motion, place(row, column) - place(edge.row, edge.column)));
       builder.release_at(mass, spec.release);
     }
   }
@@ -208,6 +233,7 @@ void add_sheet(Builder& builder, const SheetSpec& spec) {
   builder.begin_body(spec.collides);
   add_masses(builder, spec);
 
+  sheet.first_link = static_cast<Index>(builder.model.links.size());
   SheetLinks links(builder, spec, sheet.first_mass);
   links.add_family(0, 1, spec.weft.value_or(spec.properties), LinkFamily::structural);
   links.add_family(1, 0, spec.properties, LinkFamily::structural);
@@ -219,6 +245,7 @@ void add_sheet(Builder& builder, const SheetSpec& spec) {
     links.add_family(0, 2, *spec.skip_one, LinkFamily::skip_one);
     links.add_family(2, 0, *spec.skip_one, LinkFamily::skip_one);
   }
+  sheet.link_count = static_cast<Index>(builder.model.links.size()) - sheet.first_link;
   for (int row = 0; row + 1 < spec.rows; ++row)
     for (int column = 0; column + 1 < spec.columns; ++column) {
       const Index top_left = links.mass(row, column), top_right = links.mass(row, column + 1);

@@ -67,8 +67,8 @@ class Builder {
 
 using MassesByName = std::unordered_map<std::string_view, Index>;
 
-/// Adds all of a valid chain.
-void add_chain(Builder& builder, const ChainSpec& spec);
+/// Adds all of a valid chain; the description has the solids that it may be wound around.
+void add_chain(Builder& builder, const ChainSpec& spec, const Description& description);
 
 /// Adds all of a valid sheet.
 void add_sheet(Builder& builder, const SheetSpec& spec);
@@ -76,6 +76,9 @@ void add_sheet(Builder& builder, const SheetSpec& spec);
 /// Adds all of a valid ragdoll; reports joints that are outside their ranges at the start.
 void add_ragdoll(Builder& builder, const RagdollSpec& spec, std::size_t index,
                  std::vector<Problem>& problems);
+
+/// Adds the links of ties; reports names that no mass has, and masses that can't be tied.
+void add_ties(Builder& builder, const std::vector<TieSpec>& specs, std::vector<Problem>& problems);
 
 /// Lets links give way where seams are; reports names that nothing has, and seams without links.
 void add_seams(Builder& builder, const Description& description, std::vector<Problem>& problems);

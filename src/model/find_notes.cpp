@@ -122,6 +122,8 @@ void find_break_stretch(const Description& description, std::vector<Problem>& no
   }
   for (std::size_t i = 0; i < description.links.size(); ++i)
     note_break_stretch(description.links[i].properties, "link", i, "", notes);
+  for (std::size_t i = 0; i < description.ties.size(); ++i)
+    note_break_stretch(description.ties[i].properties, "tie", i, "", notes);
 }
 
 }  // namespace

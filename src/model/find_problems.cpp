@@ -1,12 +1,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "base/memory.h"
 #include "builder.h"
+#include "chain_ways.h"
 #include "checker.h"
 
 namespace taut {
@@ -28,10 +31,12 @@ void check_chain(Checker& check, const ChainSpec& chain) {
   check.not_nearly_zero(chain.length, "length");
   check.not_negative(chain.last_mass, "last_mass", "kg");
   check.not_nearly_zero(chain.last_mass, "last_mass");
-  check.require(chain.length > 0.0 || Checker::apart(chain.from, chain.to), "to",
-                "from and to are the same point, and no length is given");
-  check.require(Checker::apart(chain.from, chain.to) || chain.links > 1, "to",
-                "one link can't begin and end at the same point");
+  if (chain.straight()) {
+    check.require(chain.length > 0.0 || Checker::apart(chain.from, chain.to), "to",
+                  "from and to are the same point, and no length is given");
+    check.require(Checker::apart(chain.from, chain.to) || chain.links > 1, "to",
+                  "one link can't begin and end at the same point");
+  }
   bool first = false, last = false;
   for (const std::string& end : chain.pinned) {
     first = first || end == "first";
@@ -92,6 +97,38 @@ void check_faces(Checker& check, const SheetSpec& sheet) {
                   most, sheet.faces->thickness));
 }
 
+// Corners are part of two edges.
+void check_edge_motions(Checker& check, const SheetSpec& sheet) {
+  struct Edge {
+    std::string_view name;
+    const MotionSpec* motion;
+  };
+  const std::array<Edge, 4> edges{{{"top", &sheet.top_motion},
+                                   {"bottom", &sheet.bottom_motion},
+                                   {"left", &sheet.left_motion},
+                                   {"right", &sheet.right_motion}}};
+  const auto moves = [](const Edge& edge) { return edge.motion->given(); };
+  const auto same_way = [](const MotionSpec& a, const MotionSpec& b) {
+    return a.path.empty() && b.path.empty() && a.sinusoid == b.sinusoid && a.with == b.with;
+  };
+  for (const Edge& edge : edges) {
+    const bool pinned = std::ranges::find(sheet.pinned, edge.name) != sheet.pinned.end();
+    const std::string key = fmt::format("{}_motion", edge.name);
+    if (moves(edge))
+      check.require(pinned, key, fmt::format("{} is only for an edge that \"pinned\" names", key));
+    check.motion(*edge.motion, true, key);
+  }
+  for (std::size_t level = 0; level < 2; ++level)
+    for (std::size_t upright = 2; upright < 4; ++upright)
+      check.require(!moves(edges.at(level)) || !moves(edges.at(upright)) ||
+                        same_way(*edges.at(level).motion, *edges.at(upright).motion),
+                    fmt::format("{}_motion", edges.at(upright).name),
+                    fmt::format("{0}_motion and {1}_motion differ, and the corner {0}-{1} can't follow both",
+                                edges.at(level).name, edges.at(upright).name));
+  check.require(!moves(edges[0]) || sheet.hooks.draw.empty(), "top_motion",
+                "hooks.draw moves masses of the top edge already");
+}
+
 void check_sheet(Checker& check, const SheetSpec& sheet) {
   check.name(sheet.name);
   check.require(sheet.rows >= 2, "rows", fmt::format("rows must be 2 or more, not {}", sheet.rows));
@@ -115,6 +152,7 @@ void check_sheet(Checker& check, const SheetSpec& sheet) {
         fmt::format("pinned names edges (top, bottom, left, right) or corners (top-left …), not \"{}\"",
                     edge));
   }
+  check_edge_motions(check, sheet);
   check.not_negative(sheet.radius, "radius", "m");
   if (sheet.faces && sheet.rows >= 2 && sheet.columns >= 2) check_faces(check, sheet);
   check.properties(sheet.properties);
@@ -135,6 +173,11 @@ void check_mass(Checker& check, const MassSpec& mass) {
 void check_link(Checker& check, const LinkSpec& link) {
   if (link.length) check.positive(*link.length, "length", "m");
   check.properties(link.properties);
+}
+
+void check_tie(Checker& check, const TieSpec& tie) {
+  check.require(tie.every >= 1, "every", fmt::format("every must be 1 or more, not {}", tie.every));
+  check.properties(tie.properties);
 }
 
 void check_load(Checker& check, const LoadSpec& load) {
@@ -222,11 +265,13 @@ std::vector<Problem> find_problems(const Description& description) {
   check_each(check, "sheet", description.sheets, check_sheet);
   check_each(check, "mass", description.masses, check_mass);
   check_each(check, "link", description.links, check_link);
+  check_each(check, "tie", description.ties, check_tie);
   check_each(check, "load", description.loads, check_load);
   check_each(check, "seam", description.seams, check_seam);
   check_surroundings(check, description);
   check_bodies(check, description);
   check_memory(check, description);
+  check_chain_ways(check, description);
   return std::move(check.problems);
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <bit>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,10 +16,32 @@
 namespace taut {
 namespace {
 
-std::string endings() {
+// The endings of formats, as ".mp4, .webm and .gif".
+template <class Which>
+std::string endings(std::string_view last_joined_by, const Which& which) {
   std::vector<std::string_view> names;
-  for (const FilmFormat& format : film_formats()) names.push_back(format.ending);
-  return fmt::format("{}", fmt::join(names, ", "));
+  for (const FilmFormat& format : film_formats())
+    if (which(format)) names.push_back(format.ending);
+  const std::string_view last = names.back();
+  names.pop_back();
+  return fmt::format("{} {} {}", fmt::join(names, ", "), last_joined_by, last);
+}
+
+// Rates that a coarse clock can't keep: it takes so long till frames and seconds meet, and a frame is short.
+bool is_broken_rate(const FrameRate& rate) {
+  constexpr std::int64_t longest = 60;  // s
+  return rate.seconds > longest && rate.value() > 1.0;
+}
+
+void check_film_rate(const FilmFormat& format, const FrameRate& rate) {
+  if (rate.value() > format.fastest)
+    throw BadRequest(fmt::format("{} films show at most {} frames a second, not {}; --fps {} does",
+                                 format.ending, format.fastest, rate.text(), format.fastest));
+  if (format.whole_rates && is_broken_rate(rate))
+    throw BadRequest(fmt::format(
+        "{} films can't keep {} frames a second, their clock is too coarse; {} can, or --fps {:.0f}",
+        format.ending, rate.text(),
+        endings("and", [](const FilmFormat& other) { return !other.whole_rates; }), rate.value()));
 }
 
 std::filesystem::path encoder_program() {
@@ -35,13 +58,21 @@ void add_words(std::vector<std::string>& words, std::string_view text) {
   }
 }
 
+// What ffmpeg calls the pixels it is fed.
+std::string_view pixel_format(const FilmSettings& settings) {
+  constexpr bool low_first = std::endian::native == std::endian::little;
+  if (settings.bits == 16 && settings.transparent) return low_first ? "rgba64le" : "rgba64be";
+  if (settings.bits == 16) return low_first ? "rgb48le" : "rgb48be";
+  return settings.transparent ? "rgba" : "rgb24";
+}
+
 // `to` is what ffmpeg writes into: a file, or "pipe:1".
 std::vector<std::string> encoder_arguments(const FilmSettings& settings, const FilmTarget& target,
                                            const std::string& to) {
   const FilmFormat& format = *target.format;
   std::vector<std::string> arguments{"-hide_banner", "-nostats", "-loglevel", "error", "-y"};
   const auto add = [&](auto... words) { (arguments.emplace_back(words), ...); };
-  add("-f", "rawvideo", "-pixel_format", settings.transparent ? "rgba" : "rgb24");
+  add("-f", "rawvideo", "-pixel_format", pixel_format(settings));
   add("-video_size", fmt::format("{}x{}", settings.size.width, settings.size.height));
   add("-framerate", settings.rate.text(), "-i", "pipe:0", "-an");
   add_words(arguments, format.colours);
@@ -65,13 +96,16 @@ const FilmSettings& checked(const FilmSettings& settings) {
 void check_film_settings(const FilmSettings& settings) {
   const auto [file, stream, format] = film_target(settings.file);
   if (format == nullptr)
-    throw BadRequest(fmt::format("a film's name has to end in one of {}; \"{}\" does not", endings(),
+    throw BadRequest(fmt::format("a film's name has to end in {}; \"{}\" does not",
+                                 endings("or", [](const FilmFormat&) { return true; }),
                                  settings.file.string()));
   if (settings.transparent && !format->transparent)
-    throw BadRequest(fmt::format("{} films can't be transparent; .webm and .webp can", format->ending));
+    throw BadRequest(fmt::format("{} films can't be transparent; {} can", format->ending,
+                                 endings("and", [](const FilmFormat& other) { return other.transparent; })));
   if (stream && !format->streams)
-    throw BadRequest(
-        fmt::format("{} films can't be written into a pipe; .mp4, .webm and .gif can", format->ending));
+    throw BadRequest(fmt::format("{} films can't be written into a pipe; {} can", format->ending,
+                                 endings("and", [](const FilmFormat& other) { return other.streams; })));
+  check_film_rate(*format, settings.rate);
   const auto [width, height] = settings.size;
   if (format->even_sizes && (width % 2 != 0 || height % 2 != 0))
     throw BadRequest(

@@ -102,7 +102,7 @@ Extent inside(const Extent& outer, std::uint64_t begin, std::uint64_t length) {
   return {begin, begin + length};
 }
 
-// --- MP4: boxes of a length and a name, which may hold boxes.
+// --- MP4 and MOV: boxes of a length and a name, which may hold boxes.
 
 struct AtomBox {
   std::uint64_t name = 0;
@@ -123,7 +123,7 @@ AtomBox box_at(FilmBytes& film, const Extent& outer, std::uint64_t at) {
     length = film.high_first(at + 8, 8);
   }
   if (length == 0) unfinished();
-  if (length < head) throw NotWhole("it is no MP4 film");
+  if (length < head) throw NotWhole("it is no MP4 or MOV film");
   const Extent whole = inside(outer, at, length);
   return {film.high_first(at + 4, 4), {at + head, whole.end}, whole};
 }
@@ -140,7 +140,7 @@ Extent box_in(FilmBytes& film, const Extent& outer, std::uint64_t name) {
 
 std::size_t frames_of_mp4(FilmBytes& film) {
   const Extent all{0, film.size()};
-  if (!film.has(4, "ftyp")) throw NotWhole("it is no MP4 film");
+  if (!film.has(4, "ftyp")) throw NotWhole("it is no MP4 or MOV film");
   // To the last box, wherever the index lies.
   for (std::uint64_t at = 0; at < all.end;) at = box_at(film, all, at).whole.end;
   box_in(film, all, box_name("mdat"));
@@ -256,8 +256,9 @@ struct Reader {
   std::size_t (*frames)(FilmBytes&);
 };
 
-constexpr std::array<Reader, 4> readers{{
+constexpr std::array<Reader, 5> readers{{
     {".mp4", frames_of_mp4},
+    {".mov", frames_of_mp4},
     {".webm", frames_of_webm},
     {".gif", frames_of_gif},
     {".webp", frames_of_webp},

@@ -11,8 +11,10 @@ struct FilmFormat {
   std::string_view ending;  ///< with its dot; also ffmpeg's name of the container, without it
   bool even_sizes = false;  ///< its colours are stored for squares of 2×2 pixels
   bool transparent = false;
-  bool streams = false;  ///< can be written into a pipe
-  int largest = 0;       ///< pixels a side
+  bool streams = false;      ///< can be written into a pipe
+  int largest = 0;           ///< pixels a side
+  double fastest = 0.0;      ///< frames a second
+  bool whole_rates = false;  ///< its clock is too coarse for rates such as 24000/1001
   // ffmpeg's options, with a space between words.
   std::string_view colours;               ///< which colours its numbers stand for
   std::string_view encoder;               ///< how it is encoded

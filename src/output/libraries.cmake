@@ -1,7 +1,8 @@
 # External packages that only taut_output uses.
 pkg_check_modules(ISAL REQUIRED IMPORTED_TARGET libisal)
+pkg_check_modules(TIFF REQUIRED IMPORTED_TARGET libtiff-4)
 find_path(TAUT_STB_WRITE_INCLUDE NAMES stb_image_write.h stb_image.h PATH_SUFFIXES stb REQUIRED)
-target_link_libraries(taut_output PRIVATE PkgConfig::ISAL nlohmann_json::nlohmann_json)
+target_link_libraries(taut_output PRIVATE PkgConfig::ISAL PkgConfig::TIFF nlohmann_json::nlohmann_json)
 target_include_directories(taut_output SYSTEM PRIVATE ${TAUT_STB_WRITE_INCLUDE})
 
 # stb brings its own names and settings.

@@ -55,6 +55,7 @@ Manifest from_json(const Json& json) {
   manifest.plan = json.value("plan", "");
   manifest.halvings = json.value("halvings", "");
   manifest.size = {json.at("width").get<int>(), json.at("height").get<int>()};
+  manifest.bits = json.value("bits", 8);
   manifest.frames_per_second = json.at("frames_per_second").get<double>();
   manifest.frame_rate = json.at("frame_rate").get<std::string>();
   manifest.frame_count = json.at("frame_count").get<int>();
@@ -100,6 +101,7 @@ std::string manifest_text(const Manifest& manifest) {
                   {"halvings", manifest.halvings},
                   {"width", manifest.size.width},
                   {"height", manifest.size.height},
+                  {"bits", manifest.bits},
                   {"frames_per_second", manifest.frames_per_second},
                   {"frame_rate", manifest.frame_rate},
                   {"frame_count", manifest.frame_count},

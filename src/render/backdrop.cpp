@@ -12,7 +12,7 @@ constexpr int samples = 1;
 
 }  // namespace
 
-Backdrop::Backdrop(const Gl& gl, const ShaderLibrary& library, Size size, bool cut_out)
+Backdrop::Backdrop(const Gl& gl, const ShaderLibrary& library, Size size, bool cut_out, int bits)
     : gl_(&gl),
       library_(&library),
       size_(size),
@@ -20,12 +20,12 @@ Backdrop::Backdrop(const Gl& gl, const ShaderLibrary& library, Size size, bool c
       ground_depth_(gl, library, "ground.vert", "nothing.frag"),
       sky_(gl, library, "sky.vert", "sky.frag"),
       no_attributes_(make_vertex_array(gl)),
-      target_(gl, size, samples) {}
+      target_(gl, size, samples, bits) {}
 
 const std::shared_ptr<const Image>& LitBackdrop::image() {
   if (drawn_) {
     const Image drawn = drawn_->fetch();
-    Image image = Image::blank(drawn.size, 3);
+    Image image = Image::blank(drawn.size, 3, drawn.bits);
     lay_over(image, 0, 0, drawn);
     image_ = std::make_shared<const Image>(std::move(image));
     drawn_.reset();
@@ -36,7 +36,7 @@ const std::shared_ptr<const Image>& LitBackdrop::image() {
 std::shared_ptr<LitBackdrop> Backdrop::lit(const Geometry& geometry, const FrameBlock& block) {
   if (kept_ && kept_->shows(geometry)) return kept_;
   target_.begin({0, 0, size_.width, size_.height});
-  for (const GroundPatch& patch : geometry.grounds) draw(ground(patch.solid, false), patch);
+  for (const GroundPatch& patch : geometry.grounds) draw(ground(patch, false), patch);
   draw_sky(geometry, block);
   kept_ = std::make_shared<LitBackdrop>(geometry, target_.end());
   return kept_;
@@ -44,7 +44,7 @@ std::shared_ptr<LitBackdrop> Backdrop::lit(const Geometry& geometry, const Frame
 
 Readback Backdrop::shaded(const Geometry& geometry, const Region& region) {
   target_.begin(region);
-  for (const GroundPatch& patch : geometry.grounds) draw(ground(patch.solid, true), patch);
+  for (const GroundPatch& patch : geometry.grounds) draw(ground(patch, true), patch);
   return target_.end();
 }
 
@@ -54,12 +54,14 @@ void Backdrop::draw_depth(const Geometry& geometry) const {
   gl_->colour_mask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-const Program& Backdrop::ground(bool solid, bool shadows) {
-  std::optional<Program>& program = grounds_.at((solid ? 1 : 0) + (shadows ? 2 : 0));
+const Program& Backdrop::ground(const GroundPatch& patch, bool shadows) {
+  const bool solid = patch.solid, tinted = patch.colour.has_value();
+  std::optional<Program>& program = grounds_.at((solid ? 1 : 0) + (shadows ? 2 : 0) + (tinted ? 4 : 0));
   if (!program) {
     Defines defines;
     if (solid) defines.emplace_back("SOLID");
     if (shadows) defines.emplace_back("SHADOWS");
+    if (tinted) defines.emplace_back("TINTED");
     if (cut_out_) defines.emplace_back("CUT_OUT");
     program.emplace(*gl_, *library_, "ground.vert", "ground.frag", defines);
   }
@@ -72,6 +74,8 @@ void Backdrop::draw(const Program& program, const GroundPatch& patch) const {
   program.set("along", patch.along);
   program.set("across", patch.across);
   program.set("foot_and_height", glm::vec3(patch.foot, patch.height));
+  if (patch.colour)
+    program.set("tint", glm::vec3((*patch.colour)[0], (*patch.colour)[1], (*patch.colour)[2]));
   gl_->bind_vertex_array(no_attributes_.name());
   gl_->draw_arrays(GL_TRIANGLE_STRIP, 0, 4);
 }

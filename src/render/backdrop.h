@@ -35,7 +35,7 @@ class LitBackdrop {
 class Backdrop {
  public:
   /// `cut_out`: without sky and ground, only the shadows on it.
-  Backdrop(const Gl& gl, const ShaderLibrary& library, Size size, bool cut_out);
+  Backdrop(const Gl& gl, const ShaderLibrary& library, Size size, bool cut_out, int bits);
 
   /// The whole backdrop without shadows. Where it isn't kept it is drawn with the block that is loaded.
   std::shared_ptr<LitBackdrop> lit(const Geometry& geometry, const FrameBlock& block);
@@ -48,7 +48,7 @@ class Backdrop {
   void draw_depth(const Geometry& geometry) const;
 
  private:
-  const Program& ground(bool solid, bool shadows);
+  const Program& ground(const GroundPatch& patch, bool shadows);
   void draw(const Program& program, const GroundPatch& patch) const;
   void draw_sky(const Geometry& geometry, const FrameBlock& block) const;
 
@@ -56,7 +56,7 @@ class Backdrop {
   const ShaderLibrary* library_;
   Size size_;
   bool cut_out_;
-  std::array<std::optional<Program>, 4> grounds_;
+  std::array<std::optional<Program>, 8> grounds_;
   Program ground_depth_, sky_;
   GlObject no_attributes_;
   PictureTarget target_;

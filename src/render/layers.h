@@ -32,10 +32,11 @@ struct Layers {
   std::shared_ptr<const Image> backdrop;  ///< RGB; absent where the picture is transparent
   std::vector<Layer> parts;               ///< from back to front, inside the picture
   std::optional<Legend> legend;
+  int bits = 8;  ///< of a sample of all of them
 };
 
-/// Lays a cut-out (RGBA, colour multiplied by alpha) over an opaque picture (RGB), its top left corner at a
-/// pixel. It must lie inside.
+/// Lays a cut-out (RGBA, colour multiplied by alpha) over an opaque picture (RGB) of as many bits, its top
+/// left corner at a pixel. It must lie inside.
 void lay_over(Image& picture, int left, int top, const Image& cut_out);
 
 }  // namespace taut

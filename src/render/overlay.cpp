@@ -1,21 +1,41 @@
 #include "render/overlay.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
+#include <limits>
 
 #include "base/failure.h"
 
 namespace taut {
 namespace {
 
+// In bytes.
 std::size_t pixel_offset(const Image& image, int x, int y) {
   const auto pixel =
       static_cast<std::size_t>(y) * static_cast<std::size_t>(image.size.width) + static_cast<std::size_t>(x);
-  return pixel * static_cast<std::size_t>(image.channels);
+  return pixel * image.bytes_of_pixel();
 }
 
-std::uint8_t to_byte(double share) {
-  return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(share, 0.0, 1.0)));
+// Lays a colour over a pixel of so many channels.
+template <typename Sample>
+void lay_colour(std::uint8_t* at, int channels, const Colour& colour, double above) {
+  constexpr double most = std::numeric_limits<Sample>::max();
+  const auto to_sample = [](double share) {
+    return static_cast<Sample>(std::lround(most * std::clamp(share, 0.0, 1.0)));
+  };
+  std::array<Sample, 4> pixel{};
+  const std::size_t bytes = static_cast<std::size_t>(channels) * sizeof(Sample);
+  std::memcpy(pixel.data(), at, bytes);
+  const double below = channels == 4 ? pixel[3] / most : 1.0;
+  const double together = above + below * (1.0 - above);
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    const double old = pixel.at(channel) / most;
+    pixel.at(channel) = to_sample((colour.at(channel) * above + old * below * (1.0 - above)) / together);
+  }
+  if (channels == 4) pixel[3] = to_sample(together);
+  std::memcpy(at, pixel.data(), bytes);
 }
 
 /// How much of the pixel from `at` to `at` + 1 lies between two edges.
@@ -48,13 +68,10 @@ void blend_pixel(Image& image, int x, int y, const Paint& paint, double share) {
   const double above = std::clamp(paint.alpha * share, 0.0, 1.0);
   if (above <= 0.0) return;
   std::uint8_t* pixel = image.pixels.data() + pixel_offset(image, x, y);
-  const double below = image.channels == 4 ? pixel[3] / 255.0 : 1.0;
-  const double together = above + below * (1.0 - above);
-  for (std::size_t channel = 0; channel < 3; ++channel) {
-    const double old = pixel[channel] / 255.0;
-    pixel[channel] = to_byte((paint.colour[channel] * above + old * below * (1.0 - above)) / together);
-  }
-  if (image.channels == 4) pixel[3] = to_byte(together);
+  if (image.bits == 16)
+    lay_colour<std::uint16_t>(pixel, image.channels, paint.colour, above);
+  else
+    lay_colour<std::uint8_t>(pixel, image.channels, paint.colour, above);
 }
 
 void fill_rectangle(Image& image, const Rectangle& rectangle, const Paint& paint) {
@@ -83,11 +100,12 @@ void draw_line(Image& image, const Point& from, const Point& to, double width, c
 }
 
 void place_image(Image& image, int left, int top, const Image& inset) {
-  if (image.channels != inset.channels) throw RunFailure("pictures of different kinds can't be put together");
+  if (image.channels != inset.channels || image.bits != inset.bits)
+    throw RunFailure("pictures of different kinds can't be put together");
   const int first = std::max(0, -left);
   const int last = std::min(inset.size.width, image.size.width - left);
   if (first >= last) return;
-  const auto bytes = static_cast<std::size_t>(last - first) * static_cast<std::size_t>(image.channels);
+  const auto bytes = static_cast<std::size_t>(last - first) * image.bytes_of_pixel();
   for (int row = std::max(0, -top); row < inset.size.height && row + top < image.size.height; ++row) {
     std::copy_n(inset.pixels.data() + pixel_offset(inset, first, row), bytes,
                 image.pixels.data() + pixel_offset(image, left + first, top + row));

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "geometry/palette.h"
+#include "render/appearance.h"
 
 namespace taut {
 namespace {
@@ -19,6 +20,8 @@ constexpr std::array place_attributes{Attribute{2, GL_FLOAT, offsetof(SurfacePla
                                       Attribute{3, GL_FLOAT, offsetof(SurfacePlace, edges)},
                                       Attribute{2, GL_FLOAT, offsetof(SurfacePlace, light)}};
 constexpr std::array colour_attributes{Attribute{4, GL_UNSIGNED_BYTE, 0}};
+constexpr std::array tint_attributes{Attribute{4, GL_UNSIGNED_BYTE, offsetof(SurfaceTint, front)},
+                                     Attribute{4, GL_UNSIGNED_BYTE, offsetof(SurfaceTint, back)}};
 constexpr std::array ball_attributes{Attribute{4, GL_FLOAT, 0}};
 constexpr std::array rod_attributes{Attribute{4, GL_FLOAT, offsetof(RodRecord, start)},
                                     Attribute{3, GL_FLOAT, offsetof(RodRecord, end)},
@@ -95,6 +98,7 @@ Defines with_look(Defines defines, const Look& look) {
     defines.emplace_back("PAINTED");
   else if (look.pattern != Pattern::plain)
     defines.emplace_back(look.pattern == Pattern::checker ? "PATTERN 1" : "PATTERN 2");
+  if (has_own_cloth_colours(look)) defines.emplace_back("TINTED");
   return defines;
 }
 
@@ -126,11 +130,11 @@ SquarePainter::SquarePainter(const Gl& gl, const ShaderLibrary& library, const P
       array_(make_vertex_array(gl)),
       records_(gl, array_, record_size, attributes, 1) {}
 
-void SquarePainter::draw(Pass pass) const {
-  if (records_.count() == 0) return;
+void SquarePainter::draw(Pass pass, GLsizei count) const {
+  if (count == 0) return;
   program_for(programs_, pass).use();
   gl_->bind_vertex_array(array_.name());
-  gl_->draw_arrays_instanced(GL_TRIANGLE_STRIP, 0, 4, records_.count());
+  gl_->draw_arrays_instanced(GL_TRIANGLE_STRIP, 0, 4, count);
 }
 
 SquarePainter sphere_painter(const Gl& gl, const ShaderLibrary& library, const Defines& defines) {
@@ -161,12 +165,14 @@ SurfacePainter::SurfacePainter(const Gl& gl, const ShaderLibrary& library, const
                          make_vertex_array(gl),
                          LightMap(gl)});
   if (look.colour_by != ColourBy::plain) colours_.emplace(gl, array_, sizeof(Rgba), colour_attributes, 0, 6);
+  if (has_own_cloth_colours(look)) tints_.emplace(gl, array_, sizeof(SurfaceTint), tint_attributes, 0, 7);
 }
 
 void SurfacePainter::upload(const SurfaceMesh& mesh) {
   gl_->bind_vertex_array(array_.name());
   vertices_.upload(std::span(mesh.vertices));
   if (colours_) colours_->upload(std::span(mesh.colours));
+  if (tints_) tints_->upload(std::span(mesh.tints));
   if (mesh.places != uploaded_places_) {
     places_.upload(std::span(*mesh.places));
     uploaded_places_ = mesh.places;

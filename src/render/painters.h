@@ -42,7 +42,9 @@ class SquarePainter {
   void upload(const std::vector<Record>& records) {
     records_.upload(std::span(records));
   }
-  void draw(Pass pass) const;
+  void draw(Pass pass) const { draw(pass, records_.count()); }
+  /// The first so many records.
+  void draw(Pass pass, GLsizei count) const;
 
  private:
   const Gl* gl_;
@@ -82,6 +84,7 @@ class SurfacePainter {
   GlObject array_;
   VertexStream vertices_, places_;
   std::optional<VertexStream> colours_;  // only where the look has any
+  std::optional<VertexStream> tints_;    // only where sheets have colours of their own
   IndexStream indices_;
   SharedIndices uploaded_indices_;
   SharedPlaces uploaded_places_;

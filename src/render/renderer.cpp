@@ -39,10 +39,16 @@ glm::vec3 vector_of(const Colour& colour) {
   return {colour[0], colour[1], colour[2]};
 }
 
-// What shaders/frame.glsl and surface.frag take as numbers.
-Defines constants_of(const Look& look) {
+// Steps of a channel, from none to full.
+std::string steps_of(const RenderSettings& settings) {
+  return settings.bits == 16 ? "STEPS 65535.0" : "STEPS 255.0";
+}
+
+// What shaders/frame.glsl, dither.glsl and surface.frag take as numbers.
+Defines constants_of(const Look& look, const RenderSettings& settings) {
   const Palette colours = palette(look.theme);
-  return {constant("TO_LIGHT", direction_to_light()),
+  return {steps_of(settings),
+          constant("TO_LIGHT", direction_to_light()),
           constant("LIGHT", colours.light),
           constant("AMBIENT_BELOW", colours.ambient_below),
           constant("AMBIENT_ABOVE", colours.ambient_above),
@@ -77,7 +83,7 @@ struct Renderer::Submitted {
     std::vector<Readback> passes;
   };
   std::vector<Part> parts;
-  ColourScale scale;
+  std::optional<ColourScale> scale;  // where the picture has a legend
   GLsync done = nullptr;
 };
 
@@ -121,11 +127,11 @@ class Renderer::Drawing {
 Renderer::Drawing::Drawing(const GlContext& context, const Look& look, const RenderSettings& settings,
                            const std::filesystem::path& shader_folder)
     : gl_(context),
-      library_(shader_folder, constants_of(look)),
+      library_(shader_folder, constants_of(look, settings)),
       look_(look),
       settings_(settings),
       uniforms_(gl_),
-      target_(gl_, settings.size, samples_at_once(gl_, settings.samples)),
+      target_(gl_, settings.size, samples_at_once(gl_, settings.samples), settings.bits),
       spheres_(sphere_painter(gl_, library_, defines_of(settings, look))),
       links_(link_painter(gl_, library_, defines_of(settings, look))),
       surface_(gl_, library_, look, defines_of(settings, look)),
@@ -133,7 +139,7 @@ Renderer::Drawing::Drawing(const GlContext& context, const Look& look, const Ren
       torsos_(gl_, library_, defines_of(settings, look)),
       boxes_(gl_, library_, defines_of(settings, look)),
       lines_(gl_, library_, defines_of(settings, look)),
-      backdrop_(gl_, library_, settings.size, settings.transparent) {
+      backdrop_(gl_, library_, settings.size, settings.transparent, settings.bits) {
   if (look.colour_by != ColourBy::plain) font_ = Font::load();
   if (look.shadows && settings.shadow_map_size > 0) shadow_map_.emplace(gl_, settings.shadow_map_size);
 }
@@ -147,7 +153,7 @@ void Renderer::Drawing::submit(const Geometry& geometry) {
   if (casts_shadows()) draw_shadow_map(geometry);
 
   Submitted frame;
-  frame.scale = geometry.scale;
+  if (geometry.legend) frame.scale = geometry.scale;
   const FrameBlock block = camera(geometry);
   uniforms_.load(block);
   if (!settings_.transparent) frame.backdrop = backdrop_.lit(geometry, block);
@@ -166,13 +172,13 @@ Layers Renderer::Drawing::fetch() {
   // Reading at once would wait for whatever has been submitted since, too.
   gl_.wait_for_fence(frame.done, GL_SYNC_FLUSH_COMMANDS_BIT, GL_TIMEOUT_IGNORED);
   gl_.delete_fence(frame.done);
-  Layers layers{settings_.size, {}, {}, {}};
+  Layers layers{settings_.size, {}, {}, {}, settings_.bits};
   if (frame.backdrop) layers.backdrop = frame.backdrop->image();
   for (const Submitted::Part& part : frame.parts) {
     Layer& layer = layers.parts.emplace_back(Layer{part.region, {}});
     for (const Readback& pass : part.passes) layer.passes.push_back(pass.fetch());
   }
-  if (font_) layers.legend = {*font_, look_.colour_by, frame.scale};
+  if (font_ && frame.scale) layers.legend = {*font_, look_.colour_by, *frame.scale};
   return layers;
 }
 
@@ -200,6 +206,9 @@ void Renderer::Drawing::draw_shadow_map(const Geometry& geometry) {
     lines_.draw_shadows();
   } else {
     surface_.draw(Pass::shadow);
+    spheres_.draw(Pass::shadow, static_cast<GLsizei>(geometry.sphere_shadows));
+    links_.draw(Pass::shadow, static_cast<GLsizei>(geometry.link_shadows));
+    if (geometry.line_shadows) lines_.draw_shadows();
   }
   rods_.draw(Pass::shadow);
   torsos_.draw(Pass::shadow);

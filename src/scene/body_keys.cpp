@@ -1,3 +1,4 @@
+#include "object_section.h"
 #include "physics_facts.h"
 
 namespace taut {
@@ -114,6 +115,14 @@ Keys<RagdollSpec> ragdoll_keys() {
   };
 }
 
+constexpr std::array<std::string_view, 3> ragdoll_parts{"links", "masses", "bones"};
+constexpr LookFacts ragdoll_look{
+    .visible =
+        "whether it is drawn; what is hidden moves as ever, but throws no shadow, and neither the camera nor "
+        "the colour scale minds it",
+    .colour = "of the body, or of its links and free masses, where look.colour_by is plain",
+    .parts = ragdoll_parts};
+
 constexpr Facts compliance{.unit = "rad/(N m)",
                            .range = between(0, 1e12),
                            .help = "how far a stop gives way to each newton metre; 0: not at all"};
@@ -169,10 +178,10 @@ Keys<ConeSpec> cone_keys() {
 
 std::vector<Section> body_sections() {
   return {
-      repeated_section<RagdollSpec>(
+      object_section<RagdollSpec>(
           "ragdoll",
           "A human body: segments, their masses and lengths by Winter's table, joints with ranges.",
-          ragdoll_keys(), description_of(&Description::ragdolls)),
+          ragdoll_keys(), ragdoll_look, &Description::ragdolls, &ObjectLooks::ragdolls),
       repeated_section<AngleSpec>("angle", "A range for the angle between three masses.", angle_keys(),
                                   description_of(&Description::angles)),
       repeated_section<HingeSpec>("hinge", "A range for a signed angle about an axis between two masses.",

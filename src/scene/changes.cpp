@@ -89,30 +89,54 @@ Node* find_element(Node::List& list, const std::string& part, std::string_view w
   return nullptr;
 }
 
-// The place of a value that a path leads to; tables on the way are made where there are none. From then on
-// the key is where the change says.
-Node* find_place(Node& document, const std::vector<std::string>& path, const Origin& origin,
-                 PathError& error) {
-  Node* node = &document;
+// A value that the first parts of a path lead to, and the entry that it is of, where it is of one.
+struct PathEnd {
+  Node* node = nullptr;
   Entry* entry = nullptr;
+};
+
+// One part further; nothing where that leads nowhere.
+std::vector<PathEnd> step_on(Node& node, const std::string& part, std::string_view last, const Origin& origin,
+                             PathError& error) {
+  if (auto* list = node.get<Node::List>()) {
+    std::vector<PathEnd> all;
+    if (part == "*")
+      for (Node& element : *list) all.push_back({&element, nullptr});
+    else if (Node* element = find_element(*list, part, last, error))
+      all.push_back({element, nullptr});
+    return all;
+  }
+  if (auto* table = node.get<Node::Table>()) {
+    Entry* entry = find_entry(node, part);
+    if (!entry) entry = &table->emplace_back(Entry{part, origin, {Node::Table{}, origin}});
+    return {{&entry->node, entry}};
+  }
+  error = {fmt::format("{} has no keys of its own, and so no {}", in_quotes(last), in_quotes(part)), {}};
+  return {};
+}
+
+// The places of the value that a path leads to: of several where a part is * for each entry of a list. Tables
+// on the way are made where there are none. From then on the key is where the change says.
+std::vector<Node*> find_places(Node& document, const std::vector<std::string>& path, const Origin& origin,
+                               PathError& error) {
+  std::vector<PathEnd> ends{{&document, nullptr}};
   std::string_view last = "scene";
   for (const std::string& part : path) {
-    if (auto* list = node->get<Node::List>()) {
-      node = find_element(*list, part, last, error);
-      if (!node) return nullptr;
-      entry = nullptr;
-    } else if (auto* table = node->get<Node::Table>()) {
-      entry = find_entry(*node, part);
-      if (!entry) entry = &table->emplace_back(Entry{part, origin, {Node::Table{}, origin}});
-      node = &entry->node;
-    } else {
-      error = {fmt::format("{} has no keys of its own, and so no {}", in_quotes(last), in_quotes(part)), {}};
-      return nullptr;
+    std::vector<PathEnd> next;
+    for (const PathEnd& end : ends) {
+      const std::vector<PathEnd> further = step_on(*end.node, part, last, origin, error);
+      if (further.empty() && !error.message.empty()) return {};
+      next.insert(next.end(), further.begin(), further.end());
     }
+    ends = std::move(next);
     last = part;
   }
-  if (entry) entry->origin = origin;
-  return node;
+  std::vector<Node*> places;
+  for (const PathEnd& end : ends) {
+    if (end.entry) end.entry->origin = origin;
+    places.push_back(end.node);
+  }
+  return places;
 }
 
 // Where one change belongs in the document: the path of its key, with solve. before a bare name that is no
@@ -131,9 +155,9 @@ std::optional<PathError> apply_set(const std::string& set, const Origin& origin,
   if (std::ranges::find(path, std::string()) != path.end() || path.size() > deepest_key)
     return PathError{fmt::format("{} is no dotted path of a key", in_quotes(set.substr(0, equals))), {}};
   PathError error;
-  Node* place = find_place(document, path, origin, error);
-  if (!place) return error;
-  *place = parse_value(set.substr(equals + 1), origin);
+  const std::vector<Node*> places = find_places(document, path, origin, error);
+  if (!error.message.empty()) return error;
+  for (Node* place : places) *place = parse_value(set.substr(equals + 1), origin);
   return std::nullopt;
 }
 
@@ -175,10 +199,9 @@ std::vector<Diagnostic> apply_changes(const SceneOverrides& overrides, Node& doc
   if (overrides.method) {
     PathError error;
     const Origin origin = from_change(overrides.sets.size());
-    if (Node* place = find_place(document, {"solve", "method"}, origin, error))
+    for (Node* place : find_places(document, {"solve", "method"}, origin, error))
       *place = Node{*overrides.method, origin};
-    else
-      note(overrides.sets.size(), error);
+    if (!error.message.empty()) note(overrides.sets.size(), error);
   }
   drop_keys_of_other_methods(document);
   return diagnostics;

@@ -1,12 +1,14 @@
 #include "codec.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/diagnostic.h"
 #include "base/nearest.h"
+#include "colour_names.h"
 
 namespace taut {
 namespace {
@@ -205,8 +207,21 @@ bool Codec<std::array<double, 2>>::read(const Node& node, const KeyInfo& info, s
 
 bool Codec<Colour>::read(const Node& node, const KeyInfo& info, Colour& out, Reader& reader) {
   const auto* text = node.get<std::string>();
-  if (text && read_web_colour(*text, out)) return true;
-  return read_numbers(node, info, type(), out, reader);
+  if (!text) return read_numbers(node, info, type(), out, reader);
+  if (read_web_colour(*text, out)) return true;
+  if (const std::optional<Colour> named = colour_named(*text)) {
+    out = *named;
+    return true;
+  }
+  reader.bad_value(
+      node.origin,
+      text->starts_with('#')
+          ? fmt::format("{} must have six digits from 0 to f after #, as \"#cc8c33\" has, not {}",
+                        in_quotes(info.name), in_quotes(*text))
+          : fmt::format("{} names no colour: {}; there are {}, \"#rrggbb\" and [red, green, blue]",
+                        in_quotes(info.name), in_quotes(*text), fmt::join(colour_names(), ", ")),
+      did_you_mean(nearest_name(*text, colour_names())));
+  return false;
 }
 
 bool Codec<std::vector<Knot>>::read(const Node& node, const KeyInfo& info, std::vector<Knot>& out,
@@ -227,6 +242,21 @@ std::string Codec<std::vector<Knot>>::write(const std::vector<Knot>& value) {
   return write_list(value, [](const Knot& knot) {
     return write_numbers(std::array{knot.time, knot.position.x(), knot.position.y(), knot.position.z()});
   });
+}
+
+bool Codec<std::vector<Vec3>>::read(const Node& node, const KeyInfo& info, std::vector<Vec3>& out,
+                                    Reader& reader) {
+  const auto* list = node.get<Node::List>();
+  if (!list) return wrong_type(node, info, type(), reader);
+  std::vector<Vec3> places;
+  for (const Node& element : *list)
+    if (!read_numbers(element, info, type(), {places.emplace_back().data(), 3}, reader)) return false;
+  out = std::move(places);
+  return true;
+}
+
+std::string Codec<std::vector<Vec3>>::write(const std::vector<Vec3>& value) {
+  return write_list(value, [](const Vec3& place) { return Codec<Vec3>::write(place); });
 }
 
 bool Codec<std::vector<std::array<double, 2>>>::read(const Node& node, const KeyInfo& info,

@@ -132,7 +132,7 @@ struct Codec<std::array<double, 2>> {
 
 template <>
 struct Codec<Colour> {
-  static std::string type() { return "a list of 3 numbers or text \"#rrggbb\""; }
+  static std::string type() { return "a list of 3 numbers, text \"#rrggbb\" or a name"; }
   static bool read(const Node& node, const KeyInfo& info, Colour& out, Reader& reader);
   static std::string write(const Colour& value) { return write_numbers(value); }
 };
@@ -142,6 +142,13 @@ struct Codec<std::vector<Knot>> {
   static std::string type() { return "a list of [t, x, y, z]"; }
   static bool read(const Node& node, const KeyInfo& info, std::vector<Knot>& out, Reader& reader);
   static std::string write(const std::vector<Knot>& value);
+};
+
+template <>
+struct Codec<std::vector<Vec3>> {
+  static std::string type() { return "a list of [x, y, z]"; }
+  static bool read(const Node& node, const KeyInfo& info, std::vector<Vec3>& out, Reader& reader);
+  static std::string write(const std::vector<Vec3>& value);
 };
 
 /// Writes a list of what `write` makes of each element.

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "colour_names.h"
 #include "scene/scene.h"
 #include "section.h"
 
@@ -54,9 +56,16 @@ std::string key_reference() {
       "# Keys of a scene file\n\n"
       "A scene is a TOML file. Numbers are in SI units, angles in degrees unless said otherwise; an integer\n"
       "counts as a number, `nan` and `inf` do not. Every key can be set from the command line by its dotted\n"
-      "path, entries of a list by name or by number from 0: `--set world.drag=0.5`, `--set\n"
-      "sheet.cloth.rows=32`, `--set link.0.length=1`. A bare name means a key of `[solve]`.\n\n"
-      "This page is made by the program from the table its parser works with.\n";
+      "path, entries of a list by name, by number from 0, or all of them by `*`: `--set world.drag=0.5`, "
+      "`--set\n"
+      "sheet.cloth.rows=32`, `--set link.0.length=1`, `--set 'ragdoll.*.visible=false'`. A bare name means "
+      "a\n"
+      "key of `[solve]`.\n\n"
+      "A colour is a list of red, green and blue, each 0 to 1 as on a display, text such as `\"#cc8c33\"`, "
+      "or one\n"
+      "of these names: ";
+  out += fmt::format("{}.\n\nThis page is made by the program from the table its parser works with.\n",
+                     fmt::join(colour_names(), ", "));
   for (const Section& section : all_sections()) {
     out +=
         fmt::format("\n## {}\n\n{}\n",

@@ -127,6 +127,29 @@ const Keys<SheetBendingSpec>& sheet_bending_keys() {
   return keys;
 }
 
+const Keys<WindingSpec>& winding_keys() {
+  static const Keys<WindingSpec> keys{
+      key<WindingSpec>("around", &WindingSpec::around,
+                       {.required = true,
+                        .help = "which sphere or capsule: its name, or sphere.0, capsule.1, …, by number "
+                                "from 0. The chain's middle lies "
+                                "its own radius off the solid"}),
+      key<WindingSpec>("turns", &WindingSpec::turns,
+                       {.range = between(-1000, 1000),
+                        .help = "how many times around, right-handed about the axis; below 0 the other way"}),
+      key<WindingSpec>(
+          "start", &WindingSpec::start,
+          {.range = between(0, 1),
+           .help = "where it begins, as a share of the solid's length along the axis: of a capsule "
+                   "from `from` to `to`, of a sphere from pole to pole"}),
+      key<WindingSpec>("end", &WindingSpec::end, {.range = between(0, 1), .help = "where it ends"}),
+      key<WindingSpec>(
+          "axis", &WindingSpec::axis,
+          {.range = between(-far, far), .help = "of a sphere, of any length but 0; a capsule has its own"}),
+  };
+  return keys;
+}
+
 const Keys<HookSpec>& hook_keys() {
   static const Keys<HookSpec> keys{
       key<HookSpec>("every", &HookSpec::every,
@@ -238,6 +261,19 @@ std::string Codec<MotionSpec>::write(const MotionSpec& value) {
   WrittenMotion written = written_way(value);
   if (!value.with.empty()) written.with = value.with;
   return written.amplitude || written.path || written.with ? write_inline(motion_keys(), written) : "";
+}
+
+std::vector<KeyInfo> Codec<std::optional<WindingSpec>>::inner() {
+  return infos(winding_keys());
+}
+
+bool Codec<std::optional<WindingSpec>>::read(const Node& node, const KeyInfo& info,
+                                             std::optional<WindingSpec>& out, Reader& reader) {
+  return read_table(node, winding_keys(), in_quotes(info.name), TableKind::value, out.emplace(), reader);
+}
+
+std::string Codec<std::optional<WindingSpec>>::write(const std::optional<WindingSpec>& value) {
+  return value ? write_inline(winding_keys(), *value) : std::string();
 }
 
 std::vector<KeyInfo> Codec<std::optional<RotationSpec>>::inner() {

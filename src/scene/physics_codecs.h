@@ -72,6 +72,15 @@ struct Codec<MotionSpec> {
   static std::string write(const MotionSpec& value);
 };
 
+/// How a chain is wound around a solid, where it is.
+template <>
+struct Codec<std::optional<WindingSpec>> {
+  static std::string type() { return "a table"; }
+  static std::vector<KeyInfo> inner();
+  static bool read(const Node& node, const KeyInfo& info, std::optional<WindingSpec>& out, Reader& reader);
+  static std::string write(const std::optional<WindingSpec>& value);
+};
+
 /// How a solid turns: at a rate, or through angles.
 template <>
 struct Codec<std::optional<RotationSpec>> {

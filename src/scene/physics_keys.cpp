@@ -1,3 +1,4 @@
+#include "object_section.h"
 #include "physics_facts.h"
 #include "section.h"
 
@@ -7,6 +8,69 @@ namespace {
 constexpr std::array<std::string_view, 2> chain_ends{"first", "last"};
 constexpr std::array<std::string_view, 8> sheet_edges{"top",      "bottom",    "left",        "right",
                                                       "top-left", "top-right", "bottom-left", "bottom-right"};
+
+constexpr std::array<std::string_view, 2> chain_parts{"links", "masses"};
+constexpr std::array<std::string_view, 3> sheet_parts{"links", "masses", "surface"};
+constexpr std::string_view hidden_wholly =
+    "whether it is drawn; what is hidden moves as ever, but throws no shadow, and neither the camera nor the "
+    "colour scale minds it";
+constexpr LookFacts chain_look{.visible = hidden_wholly,
+                               .colour = "of its links and free masses, where look.colour_by is plain",
+                               .parts = chain_parts};
+constexpr LookFacts sheet_look{
+    .visible = hidden_wholly,
+    .colour = "of its links and free masses, and of the cloth's front, where look.colour_by is plain",
+    .parts = sheet_parts,
+    .two_sides = true};
+constexpr LookFacts mass_look{.visible = "whether it is drawn; its links are drawn all the same",
+                              .colour = "of the mass, a pinned one too"};
+constexpr LookFacts link_look{
+    .visible = "whether it is drawn; never where a chain, sheet or ragdoll at its end is hidden",
+    .colour = "of the link, where look.colour_by is plain"};
+
+// An end of a straight chain; others have none.
+Key<ChainSpec> end_key(std::string_view name, Vec3 ChainSpec::*member, std::string_view help) {
+  Key<ChainSpec> made = key<ChainSpec>(
+      name, member,
+      {.unit = "m", .range = between(-far, far), .fallback = "as `points` or `wound` has it", .help = help});
+  made.write = [member](const ChainSpec& chain) {
+    return chain.straight() ? Codec<Vec3>::write(chain.*member) : std::string();
+  };
+  return made;
+}
+
+// Left out where there are none: an empty list would say where no chain lies.
+Key<ChainSpec> points_key() {
+  Key<ChainSpec> made = key<ChainSpec>(
+      "points", &ChainSpec::points,
+      {.unit = "m",
+       .range = between(-far, far),
+       .fallback = "straight from `from` to `to`",
+       .help =
+           "in place of `from` and `to`: it is laid along these, from the first to the last, with links of "
+           "one length, so that corners between masses are cut"});
+  made.write = [](const ChainSpec& chain) {
+    return chain.points.empty() ? std::string() : Codec<std::vector<Vec3>>::write(chain.points);
+  };
+  return made;
+}
+
+// A chain lies where its ends say, or its points, or what it is wound around.
+void check_chain_ends(const Node& chain, Reader& reader) {
+  const Entry* points = find_entry(chain, "points");
+  const Entry* way = points ? points : find_entry(chain, "wound");
+  for (const std::string_view end : {"from", "to"}) {
+    const Entry* given = find_entry(chain, end);
+    reader.begin_key(end);
+    if (!way && !given)
+      reader.unreadable(
+          chain.origin,
+          fmt::format("[[chain]] needs the key \"{}\", or \"points\" or \"wound\" in its place", end));
+    if (way && given)
+      reader.unreadable(given->origin,
+                        fmt::format("\"{}\" says where this chain lies: it has no \"{}\"", way->key, end));
+  }
+}
 
 constexpr Facts release_facts() {
   return {.unit = "s",
@@ -18,8 +82,14 @@ constexpr Facts release_facts() {
 Keys<ChainSpec> chain_keys() {
   return Keys<ChainSpec>{
              key<ChainSpec>("name", &ChainSpec::name, named("its masses are named name.0, name.1, …")),
-             key<ChainSpec>("from", &ChainSpec::from, where("where the first mass is")),
-             key<ChainSpec>("to", &ChainSpec::to, where("where the last mass is")),
+             end_key("from", &ChainSpec::from, "where the first mass is"),
+             end_key("to", &ChainSpec::to, "where the last mass is"),
+             points_key(),
+             key<ChainSpec>("smooth", &ChainSpec::smooth,
+                            {.help = "along a smooth curve through the points, in place of straight lines"}),
+             key<ChainSpec>("wound", &ChainSpec::wound,
+                            {.fallback = "not wound",
+                             .help = "in place of `from` and `to`: around a solid, touching it"}),
              key<ChainSpec>("links", &ChainSpec::links,
                             {.range = between(1, 1e8), .help = "how many; there is one mass more"}),
              key<ChainSpec>(
@@ -52,6 +122,23 @@ Keys<ChainSpec> chain_keys() {
          contact_keys<ChainSpec>() + link_property_keys<ChainSpec>(&ChainSpec::properties);
 }
 
+// Of the edges in whole; corners move with the edge that they are part of.
+Keys<SheetSpec> edge_motion_keys() {
+  const auto moved = [](std::string_view name, MotionSpec SheetSpec::*member, std::string_view help) {
+    return key<SheetSpec>(name, member, {.fallback = "stays", .help = help});
+  };
+  return {
+      moved(
+          "top_motion", &SheetSpec::top_motion,
+          "how all of the top edge is moved, where it is pinned; a path is that of its first mass, name.0.0, "
+          "and the others keep their places beside it"),
+      moved("bottom_motion", &SheetSpec::bottom_motion,
+            "the same of the bottom edge, by its mass in column 0"),
+      moved("left_motion", &SheetSpec::left_motion, "the same of the left edge, by its mass in row 0"),
+      moved("right_motion", &SheetSpec::right_motion, "the same of the right edge, by its mass in row 0"),
+  };
+}
+
 Keys<SheetSpec> sheet_keys() {
   return Keys<SheetSpec>{
              key<SheetSpec>("name", &SheetSpec::name,
@@ -77,7 +164,8 @@ Keys<SheetSpec> sheet_keys() {
              key<SheetSpec>("bending", &SheetSpec::bending,
                             {.fallback = "none", .help = "how it resists being bent"}),
          } +
-         contact_keys<SheetSpec>() + link_property_keys<SheetSpec>(&SheetSpec::properties) +
+         edge_motion_keys() + contact_keys<SheetSpec>() +
+         link_property_keys<SheetSpec>(&SheetSpec::properties) +
          Keys<SheetSpec>{
              key<SheetSpec>(
                  "weft", &SheetSpec::weft,
@@ -127,6 +215,22 @@ Keys<LinkSpec> link_keys() {
                             .help = "at which it neither pulls nor pushes"}),
          } +
          link_property_keys<LinkSpec>(&LinkSpec::properties);
+}
+
+Keys<TieSpec> tie_keys() {
+  return Keys<TieSpec>{
+             key<TieSpec>(
+                 "a", &TieSpec::a,
+                 named("masses, each of which is linked to one of b: an edge of a sheet is cloth.0.*")),
+             key<TieSpec>(
+                 "b", &TieSpec::b,
+                 named("masses of which each of a takes the one that is nearest at the start; the link "
+                       "is as long as they are apart then")),
+             key<TieSpec>(
+                 "every", &TieSpec::every,
+                 {.range = between(1, 1e8), .help = "only every n-th of a; divides their number − 1"}),
+         } +
+         link_property_keys<TieSpec>(&TieSpec::properties);
 }
 
 Keys<LoadSpec> load_keys() {
@@ -189,14 +293,17 @@ Keys<SeamSpec> seam_keys() {
 
 std::vector<Section> physics_sections() {
   return {
-      repeated_section<ChainSpec>("chain", "A straight row of equal masses, each linked to the next.",
-                                  chain_keys(), description_of(&Description::chains)),
-      repeated_section<SheetSpec>("sheet",
-                                  "A rectangular net of equal masses, linked along rows and columns.",
-                                  sheet_keys(), description_of(&Description::sheets)),
-      repeated_section<MassSpec>("mass", "One mass.", mass_keys(), description_of(&Description::masses)),
-      repeated_section<LinkSpec>("link", "One link between two masses.", link_keys(),
-                                 description_of(&Description::links)),
+      object_section<ChainSpec>(
+          "chain", "A row of equal masses, each linked to the next: straight, along points, or wound.",
+          chain_keys(), chain_look, &Description::chains, &ObjectLooks::chains, check_chain_ends),
+      object_section<SheetSpec>("sheet", "A rectangular net of equal masses, linked along rows and columns.",
+                                sheet_keys(), sheet_look, &Description::sheets, &ObjectLooks::sheets),
+      object_section<MassSpec>("mass", "One mass.", mass_keys(), mass_look, &Description::masses,
+                               &ObjectLooks::masses),
+      object_section<LinkSpec>("link", "One link between two masses.", link_keys(), link_look,
+                               &Description::links, &ObjectLooks::links),
+      repeated_section<TieSpec>("tie", "Links that tie masses to the nearest ones of another object.",
+                                tie_keys(), description_of(&Description::ties)),
       repeated_section<LoadSpec>("load", "A force that grows linearly.", load_keys(),
                                  description_of(&Description::loads)),
       repeated_section<SeamSpec>("seam", "Where a net gives way: links that bear less, or break at a time.",

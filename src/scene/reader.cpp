@@ -61,7 +61,8 @@ void Reader::unreadable(const Origin& origin, std::string message, std::string h
 bool Reader::follows_from_reported(const Problem& problem) const {
   const EntryId id{problem.section, problem.index};
   if (unreadable_.contains(id)) return true;
-  static constexpr std::array<std::string_view, 5> using_names{"link", "load", "angle", "hinge", "cone"};
+  static constexpr std::array<std::string_view, 6> using_names{"link",  "tie",   "load",
+                                                               "angle", "hinge", "cone"};
   if (names_incomplete_ && std::ranges::find(using_names, problem.section) != using_names.end()) return true;
   const auto reported = reported_keys_.find(id);
   if (reported == reported_keys_.end()) return false;

@@ -66,30 +66,39 @@ Section optional_section(std::string name, std::string help, Keys<T> keys, Acces
   return section;
 }
 
+/// Has each table of a list read by `read_entry(table, number)`; reports what is no list of tables.
+template <class ReadEntry>
+void read_entries(const Node& node, const std::string& id, const std::string& label, Reader& reader,
+                  const ReadEntry& read_entry) {
+  const auto* list = node.get<Node::List>();
+  if (!list) {
+    reader.begin_entry("", 0);
+    reader.unreadable(node.origin, node.origin.change < 0
+                                       ? fmt::format("write {} in place of [{}]", label, id)
+                                       : fmt::format("the scene has no {} to change", label));
+    return;
+  }
+  for (std::size_t i = 0; i < list->size() && !reader.full(); ++i) {
+    reader.begin_entry(id, i);
+    if (!(*list)[i].get<Node::Table>()) {
+      // A list of something else was meant for another place: to say so of each element helps nobody.
+      report_no_table((*list)[i], label, reader);
+      return;
+    }
+    read_entry((*list)[i], i);
+  }
+}
+
 /// A section that occurs any number of times, stored in the std::vector that `access` gives of a Scene.
 template <class T, class Access>
 Section repeated_section(std::string name, std::string help, Keys<T> keys, Access access) {
   Section section{std::move(name), true, std::move(help), {{"", infos(keys)}}, {}, {}};
   const std::string id = section.name, label = section.label();
   section.read = [id, label, keys, access](const Node& node, Scene& scene, Reader& reader) {
-    const auto* list = node.get<Node::List>();
-    if (!list) {
-      reader.begin_entry("", 0);
-      reader.unreadable(node.origin, node.origin.change < 0
-                                         ? fmt::format("write {} in place of [{}]", label, id)
-                                         : fmt::format("the scene has no {} to change", label));
-      return;
-    }
     std::vector<T>& entries = std::invoke(access, scene);
-    for (std::size_t i = 0; i < list->size() && !reader.full(); ++i) {
-      reader.begin_entry(id, i);
-      if (!(*list)[i].get<Node::Table>()) {
-        // A list of something else was meant for another place: to say so of each element helps nobody.
-        report_no_table((*list)[i], label, reader);
-        return;
-      }
-      read_table((*list)[i], keys, label, TableKind::entry, entries.emplace_back(), reader);
-    }
+    read_entries(node, id, label, reader, [&](const Node& entry, std::size_t) {
+      read_table(entry, keys, label, TableKind::entry, entries.emplace_back(), reader);
+    });
   };
   section.write = [label, keys, access](const Scene& scene) {
     std::string out;

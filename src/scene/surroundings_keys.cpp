@@ -1,3 +1,4 @@
+#include "object_section.h"
 #include "physics_facts.h"
 
 namespace taut {
@@ -18,6 +19,9 @@ Keys<T> touch_keys() {
              {.range = between(0, 1), .help = "share of the speed of approach that is given back"}),
   };
 }
+
+constexpr LookFacts solid_look{.visible = "whether it is drawn; it is there all the same",
+                               .colour = "of the solid"};
 
 Keys<PlaneSpec> plane_keys() {
   return Keys<PlaneSpec>{
@@ -84,14 +88,14 @@ Keys<WindSpec> wind_keys() {
 
 std::vector<Section> surroundings_sections() {
   return {
-      repeated_section<PlaneSpec>("plane", "The ground, or another flat solid, which no mass can enter.",
-                                  plane_keys(), description_of(&Description::planes)),
-      repeated_section<SphereSpec>("sphere", "A ball that stays where it is and that no mass can enter.",
-                                   sphere_keys(), description_of(&Description::spheres)),
-      repeated_section<CapsuleSpec>("capsule", "A rod with round ends that no mass can enter.",
-                                    capsule_keys(), description_of(&Description::capsules)),
-      repeated_section<BoxSpec>("box", "A box that no mass can enter; several make a stair.", box_keys(),
-                                description_of(&Description::boxes)),
+      object_section<PlaneSpec>("plane", "The ground, or another flat solid, which no mass can enter.",
+                                plane_keys(), solid_look, &Description::planes, &ObjectLooks::planes),
+      object_section<SphereSpec>("sphere", "A ball that stays where it is and that no mass can enter.",
+                                 sphere_keys(), solid_look, &Description::spheres, &ObjectLooks::spheres),
+      object_section<CapsuleSpec>("capsule", "A rod with round ends that no mass can enter.", capsule_keys(),
+                                  solid_look, &Description::capsules, &ObjectLooks::capsules),
+      object_section<BoxSpec>("box", "A box that no mass can enter; several make a stair.", box_keys(),
+                              solid_look, &Description::boxes, &ObjectLooks::boxes),
       optional_section<WindSpec>("wind", "Air that blows on both sides of sheets; left out: a vacuum.",
                                  wind_keys(), description_of(&Description::wind)),
   };

@@ -114,7 +114,7 @@ Keys<Look> look_keys() {
       key<Look>("trail_time", &Look::trail_time,
                 {.unit = "s", .range = between(0, far), .help = "how far back they go; 0: to the start"}),
       colour_key("mass_colour", &Look::mass_colour,
-                 "of free masses: red, green, blue; text as \"#cc8c33\" works as well"),
+                 "of free masses: red, green, blue, each 0 to 1; text such as \"#cc8c33\" or \"gold\""),
       colour_key("pin_colour", &Look::pin_colour, "of pinned masses"),
       colour_key("link_colour", &Look::link_colour, "of links"),
       colour_key("bone_colour", &Look::bone_colour,

@@ -48,6 +48,99 @@ TEST_F(FilmTest, HasTheRightSizeRateAndLength) {
   }
 }
 
+TEST_F(FilmTest, ForCuttingIsProResWithOpacity) {
+  const std::string film = folder_ / "film.mov";
+  ASSERT_EQ(render({"--film", film, "--fps", "24000/1001", "--transparent"}).status, 0);
+  const Json stream = probe(film)["streams"][0];
+  EXPECT_EQ(stream["codec_name"], "prores");
+  EXPECT_EQ(stream["codec_tag_string"], "ap4h");
+  EXPECT_EQ(stream["pix_fmt"].get<std::string>().substr(0, 8), "yuva444p");
+  EXPECT_EQ(stream["r_frame_rate"], "24000/1001");
+  EXPECT_EQ(stream["nb_read_frames"], "23");
+  EXPECT_EQ(stream["color_space"], "bt709");
+  EXPECT_EQ(render({"--film", film, "--fps", "24000/1001", "--transparent"}).status, 0) << "the same again";
+  EXPECT_EQ(render({"--film", film, "--fps", "24000/1001"}).status, 4) << "without opacity";
+  const std::string opaque = folder_ / "opaque.mov";
+  ASSERT_EQ(taut({"render", scene_, "--no-frames", "--size", "65x49", "--film", opaque}).status, 0);
+  EXPECT_EQ(probe(opaque)["streams"][0]["pix_fmt"].get<std::string>().substr(0, 7), "yuv444p");
+  // Seen through where nothing is: the corner's opacity, as the film's own decoder gives it.
+  const Ran corner =
+      run_program("ffmpeg", {"-v", "error", "-i", film, "-frames:v", "1", "-vf", "alphaextract,crop=1:1:0:0",
+                             "-f", "rawvideo", "-pix_fmt", "gray", "-"});
+  EXPECT_EQ(corner.out, std::string(1, '\0'));
+}
+
+TEST_F(FilmTest, OfEverySecondFrameKeepsItsSpeed) {
+  const std::string film = folder_ / "film.mp4";
+  ASSERT_EQ(render({"--film", film, "--frames", "1-30:2"}).status, 0);
+  const Json found = probe(film);
+  EXPECT_EQ(found["streams"][0]["nb_read_frames"], "15");
+  EXPECT_EQ(found["streams"][0]["r_frame_rate"], "15/1");
+  EXPECT_NEAR(std::stod(found["format"]["duration"].get<std::string>()), 1.0, 0.01);
+  // Frames that are all there already make the same film.
+  const std::string again = folder_ / "again.mp4";
+  ASSERT_EQ(render({"--film", again, "--frames", "1-30:2"}).status, 0);
+  EXPECT_EQ(probe(again)["streams"][0]["r_frame_rate"], "15/1");
+}
+
+TEST_F(FilmTest, InSlowMotionHasMoreMoments) {
+  const std::string film = folder_ / "slow.mp4";
+  const Ran ran = render({"--film", film, "--slow", "4"});
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  EXPECT_EQ(Json::parse(ran.out)["frames"]["there"], 120);
+  EXPECT_NEAR(std::stod(probe(film)["format"]["duration"].get<std::string>()), 4.0, 0.01);
+  EXPECT_EQ(render({"--film", film, "--slow", "4"}).status, 0) << "the same again";
+  EXPECT_EQ(render({"--film", film, "--slow", "2"}).status, 4) << "frames of other moments";
+  EXPECT_EQ(render({"--slow", "0"}).status, 2);
+  EXPECT_EQ(taut({"verify", folder_ / "frames", "--deep"}).status, 0);
+
+  const std::string motion = folder_ / "motion";
+  ASSERT_EQ(taut({"simulate", scene_, "-o", motion, "--slow", "3"}).status, 0);
+  const std::vector<std::string> draw{"render",          "--motion", motion,  "-o",
+                                      folder_ / "drawn", "--size",   "64x48", "--json"};
+  const Ran drawn = taut(draw);
+  ASSERT_EQ(drawn.status, 0) << drawn.err;
+  EXPECT_EQ(Json::parse(drawn.out)["frames"]["there"], 90);
+  std::vector<std::string> slower = draw;
+  slower.insert(slower.end(), {"--slow", "2"});
+  EXPECT_EQ(taut(slower).status, 2);
+}
+
+TEST_F(FilmTest, OfSixteenBitsIsMadeFromTiffFiles) {
+  const std::string film = folder_ / "film.mov";
+  const std::vector<std::string> deep{"--depth", "16", "--fps", "10", "--transparent"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.end(), deep.begin(), deep.end());
+    return render(more);
+  };
+  ASSERT_EQ(with({}).status, 0);
+  EXPECT_TRUE(fs::exists(folder_ / "frames/frame-000010.tif"));
+  EXPECT_FALSE(fs::exists(folder_ / "frames/frame-000010.png"));
+  EXPECT_EQ(probe(folder_ / "frames/frame-000010.tif")["streams"][0]["pix_fmt"], "rgba64le");
+  const Ran again = with({"--film", film});
+  ASSERT_EQ(again.status, 0) << again.err;
+  EXPECT_EQ(Json::parse(again.out)["frames"]["kept"], 10) << "the film is made from the files";
+  EXPECT_EQ(probe(film)["streams"][0]["nb_read_frames"], "10");
+  EXPECT_EQ(with({"--film", film}).status, 0) << "the same again";
+  EXPECT_EQ(taut({"verify", folder_ / "frames"}).status, 0);
+  EXPECT_EQ(render({"--fps", "10", "--transparent"}).status, 4) << "frames of eight bits";
+  const Ran other = render({"--depth", "12"});
+  EXPECT_EQ(other.status, 2);
+  EXPECT_NE(other.err.find("--depth is 8 or 16"), std::string::npos) << other.err;
+
+  // Of shards, too; and frames of another kind are taken away.
+  const std::string parts = folder_ / "parts";
+  for (const std::string shard : {"1/2", "2/2"})
+    ASSERT_EQ(
+        taut({"render", scene_, "-o", parts, "--size", "64x48", "--depth", "16", "--shard", shard}).status,
+        0);
+  ASSERT_EQ(taut({"merge", parts, "--film", folder_ / "merged.mov"}).status, 0);
+  EXPECT_EQ(probe(folder_ / "merged.mov")["streams"][0]["nb_read_frames"], "30");
+  ASSERT_EQ(taut({"render", scene_, "-o", parts, "--size", "64x48", "--overwrite"}).status, 0);
+  EXPECT_FALSE(fs::exists(parts + "/frame-000001.tif"));
+  EXPECT_EQ(taut({"verify", parts}).status, 0);
+}
+
 TEST_F(FilmTest, GifHasAllFrames) {
   const std::string film = folder_ / "film.gif";
   ASSERT_EQ(render({"--film", film, "--fps", "20"}).status, 0);

@@ -21,6 +21,14 @@ inline std::map<std::string, KeyCase> key_cases() {
       {"chain.from", {"rope", "[0.0, 2.0, 0.1]", ""}},
       {"chain.to", {"rope", "[1.0, 2.1, 0.0]", ""}},
       {"chain.links", {"rope", "5", ""}},
+      {"chain.points", {"laid rope", "[[0.0, 2.0, 0.0], [0.4, 1.9, 0.0], [0.8, 2.0, 0.1]]", ""}},
+      {"chain.smooth", {"laid rope", "true", ""}},
+      {"chain.wound", {"wound rope", R"({ around = "sphere.0", turns = 2.0 })", ""}},
+      {"chain.wound.around", {"wound rope", "sphere.0", ""}},
+      {"chain.wound.turns", {"wound rope", "-2.0", ""}},
+      {"chain.wound.start", {"wound rope", "0.1", ""}},
+      {"chain.wound.end", {"wound rope", "0.9", ""}},
+      {"chain.wound.axis", {"rope round a ball", "[1.0, 0.0, 0.0]", ""}},
       {"chain.length", {"rope", "1.1", ""}},
       {"chain.mass", {"rope", "0.6", ""}},
       {"chain.last_mass", {"rope", "0.3", ""}},
@@ -81,6 +89,13 @@ inline std::map<std::string, KeyCase> key_cases() {
       {"link.damping", {"springy pendulum", "5.0", ""}},
       {"link.break_stretch", {"springy pendulum", "1.05", ""}},
       {"link.break_tension", {"springy pendulum", "10.0", ""}},
+      {"tie.a", {"tied cloth", "cloth.*.0", ""}},
+      {"tie.b", {"tied cloth", "rope.0", ""}},
+      {"tie.every", {"tied cloth", "2", ""}},
+      {"tie.stiffness", {"tied cloth", "100.0", ""}},
+      {"tie.damping", {"tied cloth", "2.0", ""}},
+      {"tie.break_stretch", {"tied cloth", "1.005", ""}},
+      {"tie.break_tension", {"tied cloth", "0.1", ""}},
       {"load.masses", {"rope", R"(["rope.3"])", ""}},
       {"load.force", {"rope", "[0.0, 0.3, 0.8]", ""}},
       {"load.from", {"rope", "0.08", ""}},
@@ -150,6 +165,7 @@ inline std::map<std::string, KeyCase> key_cases() {
   for (const std::string family : {"weft", "diagonals", "skip_one"})
     add_link_keys("sheet." + family + ".", "slack cloth", "loose cloth",
                   family == "weft" ? "cloth of warp and weft" : "springy cloth", "tearing cloth");
+  add_link_keys("tie.", "slack tie", "loose tie", "tied cloth", "tearing tie");
   all["sheet.weft"] = {"springy cloth", "{ stiffness = 60.0 }", ""};
   all["sheet.weft.stiffness"] = {"cloth of warp and weft", "60.0", ""};
   all["sheet.weft.damping"] = {"cloth of warp and weft", "1.0", ""};
@@ -210,6 +226,18 @@ inline std::map<std::string, KeyCase> key_cases() {
     all[key + ".angular_frequency"] = {"swung rope", "7.0", ""};
     all[key + ".phase"] = {"swung rope", "0.02", ""};
     all[key + ".path"] = {"led rope", fmt::format("[[0.0, {0}, 2.0, 0.0], [0.3, {0}, 2.1, 0.0]]", x), ""};
+  }
+  for (const std::string edge : {"top", "bottom", "left", "right"}) {
+    const std::string key = "sheet." + edge + "_motion", scene = "cloth moved at its " + edge;
+    const double x = edge == "right" ? 0.4 : 0.0, y = edge == "bottom" ? 1.8 : 2.0, z = 2.0 - y;
+    const std::string led =
+        fmt::format("{{ path = [[0.0, {}, {}, {}], [0.3, {}, {}, {}]] }}", x, y, z, x, y + 0.02, z + 0.02);
+    all[key] = {scene, led, ""};
+    all[key + ".amplitude"] = {scene, "[0.02, 0.0, 0.0]", ""};
+    all[key + ".angular_frequency"] = {scene, "7.0", ""};
+    all[key + ".phase"] = {scene, "0.02", ""};
+    all[key + ".path"] = {scene, led, fmt::format("sheet.0.{}_motion", edge)};
+    all[key + ".with"] = {"cloth carried at its " + edge, "wheel", ""};
   }
   for (const std::string joint :
        {"neck", "left_shoulder", "right_shoulder", "left_elbow", "right_elbow", "left_hip", "right_hip",

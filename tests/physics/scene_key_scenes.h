@@ -645,6 +645,278 @@ velocity = [3.0, 0.0, 2.0]
 gust = 0.3
 gust_time = 0.1
 )"},
+    {"laid rope", R"(
+[[chain]]
+name = "rope"
+points = [[0.0, 2.0, 0.0], [0.4, 1.8, 0.0], [0.8, 2.0, 0.1]]
+links = 5
+mass = 0.5
+pinned = ["first"]
+LINKS
+)"},
+    {"wound rope", R"(
+[[capsule]]
+from = [0.0, 1.0, 0.0]
+to = [1.0, 1.0, 0.0]
+radius = 0.2
+[[sphere]]
+centre = [0.0, 3.0, 0.0]
+radius = 0.3
+[[chain]]
+name = "rope"
+wound = { around = "capsule.0", turns = 2.0, start = 0.2, end = 0.8 }
+links = 30
+mass = 0.5
+LINKS
+)"},
+    {"rope round a ball", R"(
+[[sphere]]
+centre = [0.0, 3.0, 0.0]
+radius = 0.3
+[[chain]]
+name = "rope"
+wound = { around = "sphere.0", turns = 2.0 }
+links = 30
+mass = 0.5
+LINKS
+)"},
+    {"tied cloth", R"(
+[[sheet]]
+name = "cloth"
+rows = 3
+columns = 3
+from = [0.0, 2.0, 0.0]
+to = [0.4, 2.0, 0.0]
+down = [0.0, -0.2, 0.2]
+mass = 0.3
+LINKS
+[[chain]]
+name = "rope"
+from = [0.0, 2.1, 0.0]
+to = [0.4, 2.1, 0.02]
+links = 4
+mass = 0.2
+pinned = ["first"]
+LINKS
+[[tie]]
+a = "cloth.0.*"
+b = "rope.*"
+stiffness = 200.0
+)"},
+    {"cloth moved at its top", R"(
+[[sheet]]
+name = "cloth"
+rows = 3
+columns = 3
+from = [0.0, 2.0, 0.0]
+to = [0.4, 2.0, 0.0]
+down = [0.0, -0.2, 0.2]
+mass = 0.3
+pinned = ["top"]
+top_motion = { amplitude = [0.01, 0.0, 0.01], angular_frequency = 8.0, phase = 0.0 }
+LINKS
+)"},
+    {"cloth moved at its bottom", R"(
+[[sheet]]
+name = "cloth"
+rows = 3
+columns = 3
+from = [0.0, 2.0, 0.0]
+to = [0.4, 2.0, 0.0]
+down = [0.0, -0.2, 0.2]
+mass = 0.3
+pinned = ["bottom"]
+bottom_motion = { amplitude = [0.01, 0.0, 0.01], angular_frequency = 8.0, phase = 0.0 }
+LINKS
+)"},
+    {"cloth moved at its left", R"(
+[[sheet]]
+name = "cloth"
+rows = 3
+columns = 3
+from = [0.0, 2.0, 0.0]
+to = [0.4, 2.0, 0.0]
+down = [0.0, -0.2, 0.2]
+mass = 0.3
+pinned = ["left"]
+left_motion = { amplitude = [0.01, 0.0, 0.01], angular_frequency = 8.0, phase = 0.0 }
+LINKS
+)"},
+    {"cloth moved at its right", R"(
+[[sheet]]
+name = "cloth"
+rows = 3
+columns = 3
+from = [0.0, 2.0, 0.0]
+to = [0.4, 2.0, 0.0]
+down = [0.0, -0.2, 0.2]
+mass = 0.3
+pinned = ["right"]
+right_motion = { amplitude = [0.01, 0.0, 0.01], angular_frequency = 8.0, phase = 0.0 }
+LINKS
+)"},
+    {"slack tie", R"(
+[[sheet]]
+name = "cloth"
+rows = 3
+columns = 3
+from = [0.0, 2.0, 0.0]
+to = [0.4, 2.0, 0.0]
+down = [0.0, -0.2, 0.2]
+mass = 0.3
+LINKS
+[[chain]]
+name = "rope"
+from = [0.0, 2.1, 0.0]
+to = [0.4, 2.1, 0.02]
+links = 4
+mass = 0.2
+pinned = ["first"]
+LINKS
+[[tie]]
+a = "cloth.0.*"
+b = "rope.*"
+stiffness = 200.0
+acts = "pull"
+)"},
+    {"loose tie", R"(
+[[sheet]]
+name = "cloth"
+rows = 3
+columns = 3
+from = [0.0, 2.0, 0.0]
+to = [0.4, 2.0, 0.0]
+down = [0.0, -0.2, 0.2]
+mass = 0.3
+LINKS
+[[chain]]
+name = "rope"
+from = [0.0, 2.1, 0.0]
+to = [0.4, 2.1, 0.02]
+links = 4
+mass = 0.2
+pinned = ["first"]
+LINKS
+[[tie]]
+a = "cloth.0.*"
+b = "rope.*"
+stiffness = 200.0
+acts = "between"
+longest = 1.05
+)"},
+    {"tearing tie", R"(
+[[sheet]]
+name = "cloth"
+rows = 3
+columns = 3
+from = [0.0, 2.0, 0.0]
+to = [0.4, 2.0, 0.0]
+down = [0.0, -0.2, 0.2]
+mass = 0.3
+LINKS
+[[chain]]
+name = "rope"
+from = [0.0, 2.1, 0.0]
+to = [0.4, 2.1, 0.02]
+links = 4
+mass = 0.2
+pinned = ["first"]
+LINKS
+[[tie]]
+a = "cloth.0.*"
+b = "rope.*"
+stiffness = 200.0
+break_tension = 1.2
+scatter = 0.3
+[[load]]
+masses = ["cloth.2.*"]
+force = [1.0, -8.0, 1.0]
+to = 0.3
+)"},
+    {"cloth carried at its top", R"(
+[[sheet]]
+name = "cloth"
+rows = 3
+columns = 3
+from = [0.0, 2.0, 0.0]
+to = [0.4, 2.0, 0.0]
+down = [0.0, -0.2, 0.2]
+mass = 0.3
+pinned = ["top"]
+top_motion = { with = "drum" }
+LINKS
+[[sphere]]
+name = "drum"
+centre = [0.0, -50.0, 0.0]
+rotation = { axis = [0.0, 0.0, 1.0], rate = 1.0 }
+[[sphere]]
+name = "wheel"
+centre = [9.0, -50.0, 0.0]
+rotation = { axis = [0.0, 0.0, 1.0], rate = 2.0 }
+)"},
+    {"cloth carried at its bottom", R"(
+[[sheet]]
+name = "cloth"
+rows = 3
+columns = 3
+from = [0.0, 2.0, 0.0]
+to = [0.4, 2.0, 0.0]
+down = [0.0, -0.2, 0.2]
+mass = 0.3
+pinned = ["bottom"]
+bottom_motion = { with = "drum" }
+LINKS
+[[sphere]]
+name = "drum"
+centre = [0.0, -50.0, 0.0]
+rotation = { axis = [0.0, 0.0, 1.0], rate = 1.0 }
+[[sphere]]
+name = "wheel"
+centre = [9.0, -50.0, 0.0]
+rotation = { axis = [0.0, 0.0, 1.0], rate = 2.0 }
+)"},
+    {"cloth carried at its left", R"(
+[[sheet]]
+name = "cloth"
+rows = 3
+columns = 3
+from = [0.0, 2.0, 0.0]
+to = [0.4, 2.0, 0.0]
+down = [0.0, -0.2, 0.2]
+mass = 0.3
+pinned = ["left"]
+left_motion = { with = "drum" }
+LINKS
+[[sphere]]
+name = "drum"
+centre = [0.0, -50.0, 0.0]
+rotation = { axis = [0.0, 0.0, 1.0], rate = 1.0 }
+[[sphere]]
+name = "wheel"
+centre = [9.0, -50.0, 0.0]
+rotation = { axis = [0.0, 0.0, 1.0], rate = 2.0 }
+)"},
+    {"cloth carried at its right", R"(
+[[sheet]]
+name = "cloth"
+rows = 3
+columns = 3
+from = [0.0, 2.0, 0.0]
+to = [0.4, 2.0, 0.0]
+down = [0.0, -0.2, 0.2]
+mass = 0.3
+pinned = ["right"]
+right_motion = { with = "drum" }
+LINKS
+[[sphere]]
+name = "drum"
+centre = [0.0, -50.0, 0.0]
+rotation = { axis = [0.0, 0.0, 1.0], rate = 1.0 }
+[[sphere]]
+name = "wheel"
+centre = [9.0, -50.0, 0.0]
+rotation = { axis = [0.0, 0.0, 1.0], rate = 2.0 }
+)"},
 };
 
 }  // namespace taut::test

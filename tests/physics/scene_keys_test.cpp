@@ -24,7 +24,8 @@ bool about_physics(const std::string& section, const std::string& key) {
   static const std::set<std::string> labels{"chain.name",     "sheet.name",     "mass.name",  "ragdoll.name",
                                             "world.duration", "world.accuracy", "plane.name", "sphere.name",
                                             "capsule.name",   "box.name"};
-  return !pictures.contains(section) && !labels.contains(section + "." + key);
+  static const std::set<std::string> looks{"visible", "colour", "back_colour", "draw"};
+  return !pictures.contains(section) && !labels.contains(section + "." + key) && !looks.contains(key);
 }
 
 // Every key of the program's reference as section.key.

@@ -274,5 +274,27 @@ TEST(Supports, AreDrawnUnlessALookSaysOtherwise) {
   EXPECT_TRUE(drawn_rods(scene, scene.start, bare_look()).empty());
 }
 
+TEST(Supports, AnEdgeThatIsMovedHasABarThatMovesAlong) {
+  SheetSpec sheet = sheet_of(3, 5, {0.0, 1.0, 0.0}, {1.0, 1.0, 0.0}, {0.0, -0.5, 0.0}, {"top"});
+  sheet.top_motion.sinusoid = SinusoidSpec{{0.0, 0.0, 0.2}, 3.0, 0.0};
+  const Supports made = supports_on_floor(only(sheet));
+  EXPECT_TRUE(made.fixed.empty());
+  EXPECT_TRUE(made.beams.empty());
+  ASSERT_EQ(made.carried.size(), 3U) << "a bar and its two ends";
+  const SupportPart& bar = made.carried.front().part;
+  EXPECT_GT((bar.end - bar.start).norm(), 1.0);
+  EXPECT_LT(std::abs((bar.end - bar.start).normalized().x()), 1.0 + 1e-12);
+  EXPECT_GT(std::abs((bar.end - bar.start).normalized().x()), 1.0 - 1e-12);
+}
+
+TEST(Supports, HiddenPinsHaveNone) {
+  const Built scene = only(sheet_of(3, 5, {0.0, 1.0, 0.0}, {1.0, 1.0, 0.0}, {0.0, -0.5, 0.0}, {"top"}));
+  const std::vector<bool> none(scene.model.masses.size(), false), all(scene.model.masses.size(), true);
+  EXPECT_TRUE(
+      supports(scene.model, scene.start, {Vec3::UnitY(), floor_at_zero, pin_size, &none}).fixed.empty());
+  EXPECT_FALSE(
+      supports(scene.model, scene.start, {Vec3::UnitY(), floor_at_zero, pin_size, &all}).fixed.empty());
+}
+
 }  // namespace
 }  // namespace taut

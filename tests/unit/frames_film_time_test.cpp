@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "base/failure.h"
 #include "frames/film_time.h"
 
 namespace taut {
@@ -44,6 +45,19 @@ TEST(FilmTime, MayBeSlowFromTheStart) {
   EXPECT_DOUBLE_EQ(film_duration(look, 3.0), 6.0);
   EXPECT_DOUBLE_EQ(scene_time(look, 1.0), 0.5);
   EXPECT_EQ(film_speed(look, 0.0), 0.5);
+}
+
+TEST(FilmTime, OfAFilmAsSlowAsAskedForIsAFractionOfItsOwn) {
+  Look look;
+  slow_down(look, 4.0);
+  EXPECT_EQ(film_duration(look, 3.0), 12.0);
+  for (int frame = 0; frame < 100; ++frame)
+    EXPECT_EQ(scene_time(look, frame / 24.0), frame / 24.0 / 4.0) << "to the last bit";
+  Look twice = slowed();
+  slow_down(twice, 2.0);
+  EXPECT_EQ(twice.speed, (std::vector<std::array<double, 2>>{{0.0, 0.5}, {1.0, 0.1}, {2.0, 1.0}}));
+  EXPECT_DOUBLE_EQ(film_duration(twice, 4.0), 2.0 * film_duration(slowed(), 4.0));
+  EXPECT_THROW(slow_down(twice, 1000.0), BadRequest);
 }
 
 }  // namespace

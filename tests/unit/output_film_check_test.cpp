@@ -75,12 +75,12 @@ TEST_P(FilmCheckTest, WhatIsNoFilmAtAllIsToldSo) {
   EXPECT_THROW(film_problem(folder / "none", ending, frames), RunFailure);
 }
 
-INSTANTIATE_TEST_SUITE_P(Endings, FilmCheckTest, ::testing::Values(".mp4", ".webm", ".gif", ".webp"),
+INSTANTIATE_TEST_SUITE_P(Endings, FilmCheckTest, ::testing::Values(".mp4", ".webm", ".gif", ".webp", ".mov"),
                          [](const auto& test) { return std::string(test.param).substr(1); });
 
 TEST(FilmCheck, TransparentFilmsAreFineToo) {
   const TemporaryFolder folder;
-  for (const std::string ending : {".webm", ".webp"}) {
+  for (const std::string ending : {".webm", ".webp", ".mov"}) {
     make_film(folder / ("film" + ending), frames, true);
     EXPECT_EQ(film_problem(folder / ("film" + ending), ending, frames), "") << ending;
   }

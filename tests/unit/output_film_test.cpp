@@ -35,7 +35,7 @@ TEST(FilmSettings, OddSizesAreExplainedWhereColourIsStoredForSquares) {
 
 TEST(FilmSettings, UnknownEndingsAreToldTheKnownOnes) {
   EXPECT_EQ(problem_of({"a.avi", {64, 48}, {30}, false}),
-            "a film's name has to end in one of .mp4, .webm, .gif, .webp; \"a.avi\" does not");
+            "a film's name has to end in .mp4, .webm, .gif, .webp or .mov; \"a.avi\" does not");
   EXPECT_NE(problem_of({"mp4", {64, 48}, {30}, false}), "");
 }
 
@@ -43,7 +43,22 @@ TEST(FilmSettings, TransparencyNeedsAFormatThatHasIt) {
   EXPECT_EQ(problem_of({"a.webm", {64, 48}, {30}, true}), "");
   EXPECT_EQ(problem_of({"a.webp", {64, 48}, {30}, true}), "");
   EXPECT_EQ(problem_of({"a.mp4", {64, 48}, {30}, true}),
-            ".mp4 films can't be transparent; .webm and .webp can");
+            ".mp4 films can't be transparent; .webm, .webp and .mov can");
+}
+
+TEST(FilmSettings, ClocksThatAreTooCoarseForARateSaySo) {
+  const FrameRate television{24000, 1001};
+  for (const char* name : {"a.mp4", "a.webm", "a.mov"})
+    EXPECT_EQ(problem_of({name, {64, 48}, television, false}), "") << name;
+  EXPECT_EQ(
+      problem_of({"a.gif", {64, 48}, television, false}),
+      ".gif films can't keep 24000/1001 frames a second, their clock is too coarse; .mp4, .webm and .mov "
+      "can, or --fps 24");
+  EXPECT_NE(problem_of({"a.webp", {64, 48}, {2997, 100}, false}), "");
+  EXPECT_EQ(problem_of({"a.gif", {64, 48}, {60}, false}),
+            ".gif films show at most 50 frames a second, not 60; --fps 50 does");
+  EXPECT_EQ(problem_of({"a.gif", {64, 48}, {15, 2}, false}), "");
+  EXPECT_EQ(problem_of({"a.gif", {64, 48}, {30, 149}, false}), "") << "each frame stands for seconds";
 }
 
 TEST(Film, AnAbandonedOneLeavesNothing) {
@@ -79,7 +94,7 @@ std::string failure_with_encoder(const std::string& script) {
 TEST(Film, AnEncoderIsNotBelievedThatSaysAllIsWell) {
   EXPECT_EQ(failure_with_encoder("cat >/dev/null"), "ffmpeg could not make FOLDER/a.mp4: it is empty");
   EXPECT_EQ(failure_with_encoder("cat >/dev/null; for last; do :; done; echo film >\"${last#file:}\""),
-            "ffmpeg could not make FOLDER/a.mp4: it is no MP4 film");
+            "ffmpeg could not make FOLDER/a.mp4: it is no MP4 or MOV film");
 }
 
 TEST(Film, HowAnEncoderEndedIsSaidInWords) {

@@ -50,5 +50,18 @@ TEST(FrameTime, StartsAtZero) {
   EXPECT_EQ(frame_time(4, {30}), frame_time(7, {60}));
 }
 
+TEST(RateOfSelection, EveryNthFrameStandsForNOfThem) {
+  const auto rate = [](const std::string& text, const FrameRate& whole) {
+    return rate_of_selection(select_frames(text, 200), whole).text();
+  };
+  EXPECT_EQ(rate("1-200", {30}), "30");
+  EXPECT_EQ(rate("1-10:2", {30}), "15");
+  EXPECT_EQ(rate("1-10:4", {30}), "15/2");
+  EXPECT_EQ(rate("1-100:2", {24000, 1001}), "12000/1001");
+  EXPECT_EQ(rate("7", {30}), "30");
+  EXPECT_EQ(rate("1-99:2,150", {30}), "15") << "what is left out at the end is a cut";
+  EXPECT_EQ(rate("1-5,150", {30}), "30");
+}
+
 }  // namespace
 }  // namespace taut

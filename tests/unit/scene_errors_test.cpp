@@ -53,7 +53,8 @@ TEST(SceneErrors, OneBracketForTwo) {
 
 TEST(SceneErrors, MissingKeyPointsAtTheEntry) {
   EXPECT_EQ(errors_of("\n [[chain]]\nname = \"rope\"\nfrom = [0, 2, 0]\n"),
-            "f.toml:2:2: [[chain]] needs the key \"to\"\n     [[chain]]\n     ^");
+            "f.toml:2:2: [[chain]] needs the key \"to\", or \"points\" or \"wound\" in its place\n     "
+            "[[chain]]\n     ^");
 }
 
 TEST(SceneErrors, WrongTypes) {
@@ -128,7 +129,8 @@ TEST(SceneErrors, Accuracy) {
 
 TEST(SceneErrors, Colours) {
   EXPECT_EQ(errors_of(chain_with("[look]\nlink_colour = \"#12345\"\n")),
-            "f.toml:6:15: \"link_colour\" must be a list of 3 numbers or text \"#rrggbb\", not \"#12345\"\n"
+            "f.toml:6:15: \"link_colour\" must have six digits from 0 to f after #, as \"#cc8c33\" has, not "
+            "\"#12345\"\n"
             "    link_colour = \"#12345\"\n                  ^");
   EXPECT_EQ(errors_of(chain_with("[look]\nlink_colour = [0, 2, 0]\n")),
             "f.toml:6:19: \"link_colour\" must be between 0 and 1, not 2\n    link_colour = [0, 2, 0]\n"

@@ -46,28 +46,34 @@ Names within(const std::string& key, const Names& inner) {
 const Names links{"acts",          "longest",  "stiffness", "damping",     "break_stretch",
                   "break_tension", "break_at", "scatter",   "scatter_seed"};
 const Names motion{"amplitude", "angular_frequency", "phase", "path", "with"};
-const Names solid = Names{"name", "friction", "restitution"} +
+const Names solid = Names{"name", "friction", "restitution", "visible", "colour"} +
                     within("motion", {"amplitude", "angular_frequency", "phase", "path"}) +
                     within("rotation", {"axis", "through", "rate", "rise", "angle"});
 
 TEST(KeyReference, ListsEveryKeyOfEverySection) {
   EXPECT_EQ(keys_of("Top level"), (Names{"title"}));
   EXPECT_EQ(keys_of("`[world]`"), (Names{"gravity", "duration", "drag", "accuracy"}));
-  EXPECT_EQ(keys_of("`[[chain]]`"), (Names{"name", "from", "to", "links", "length", "mass", "last_mass",
-                                           "radius", "collides", "pinned", "first_release", "last_release"} +
-                                     within("first_motion", motion) + within("last_motion", motion) +
-                                     within("bending", {"stiffness", "from_start"}) + links));
-  EXPECT_EQ(keys_of("`[[sheet]]`"),
-            (Names{"name", "rows", "columns", "from", "to", "down", "mass", "fullness", "radius", "collides",
-                   "pinned", "release"} +
-             within("hooks", {"every", "draw"}) +
-             within("bending", {"stiffness", "warp", "weft", "bias", "from_start"}) + links +
-             within("weft", links) + within("diagonals", links) + within("skip_one", links) +
-             within("faces", {"thickness", "friction", "self_collides"})));
-  EXPECT_EQ(keys_of("`[[mass]]`"),
-            (Names{"name", "position", "velocity", "mass", "pinned", "release", "radius", "collides"} +
-             within("motion", motion)));
-  EXPECT_EQ(keys_of("`[[link]]`"), (Names{"a", "b", "length"} + links));
+  EXPECT_EQ(keys_of("`[[chain]]`"),
+            (Names{"name", "from", "to", "points", "smooth", "links", "length", "mass", "last_mass", "radius",
+                   "collides", "pinned", "first_release", "last_release"} +
+             within("first_motion", motion) + within("last_motion", motion) +
+             within("wound", {"around", "turns", "start", "end", "axis"}) +
+             within("bending", {"stiffness", "from_start"}) + links + Names{"visible", "colour", "draw"}));
+  EXPECT_EQ(
+      keys_of("`[[sheet]]`"),
+      (Names{"name", "rows", "columns", "from", "to", "down", "mass", "fullness", "radius", "collides",
+             "pinned", "release"} +
+       within("hooks", {"every", "draw"}) + within("top_motion", motion) + within("bottom_motion", motion) +
+       within("left_motion", motion) + within("right_motion", motion) +
+       within("bending", {"stiffness", "warp", "weft", "bias", "from_start"}) + links +
+       within("weft", links) + within("diagonals", links) + within("skip_one", links) +
+       within("faces", {"thickness", "friction", "self_collides"}) +
+       Names{"visible", "colour", "back_colour", "draw"}));
+  EXPECT_EQ(keys_of("`[[mass]]`"), (Names{"name", "position", "velocity", "mass", "pinned", "release",
+                                          "radius", "collides", "visible", "colour"} +
+                                    within("motion", motion)));
+  EXPECT_EQ(keys_of("`[[link]]`"), (Names{"a", "b", "length", "visible", "colour"} + links));
+  EXPECT_EQ(keys_of("`[[tie]]`"), (Names{"a", "b", "every"} + links));
   EXPECT_EQ(keys_of("`[[load]]`"), (Names{"masses", "force", "from", "to", "until", "gone"}));
   EXPECT_EQ(keys_of("`[[seam]]`"), (Names{"sheet", "row", "column", "a", "b", "strength", "break_stretch",
                                           "break_tension", "break_at"}));
@@ -113,7 +119,10 @@ TEST(KeyReference, ListsEveryKeyOfEverySection) {
                                              "joint_damping",
                                              "joint_friction",
                                              "pinned",
-                                             "collides"}));
+                                             "collides",
+                                             "visible",
+                                             "colour",
+                                             "draw"}));
   EXPECT_EQ(keys_of("`[camera]`"),
             (Names{"eye", "target", "direction", "show", "field_of_view", "up", "orbit", "follow"}));
   EXPECT_EQ(keys_of("`[look]`"), (Names{"masses",       "links",          "surface",

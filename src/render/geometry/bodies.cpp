@@ -48,18 +48,16 @@ void add_shape(Bodies& bodies, const Shape& shape, const Colour& colour) {
   std::visit([&](const auto& kind) { add(bodies, kind, colour); }, shape);
 }
 
-void add_mass_boxes(Bodies& bodies, const Model& model, const State& start, const State& state,
-                    const Look& look, const Radii& radii, const Quantity& quantity,
-                    const ColourScale& scale) {
-  const std::vector<Eigen::Quaterniond> turns = orientations(model, start, state);
-  const std::vector<bool> boned = in_ragdoll(model);
+void add_mass_boxes(Bodies& bodies, const State& start, const Drawn& drawn) {
+  const Model& model = drawn.model;
+  const std::vector<Eigen::Quaterniond> turns = orientations(model, start, drawn.state);
   for (std::size_t i = 0; i < model.masses.size(); ++i) {
-    if (boned[i]) continue;
-    const double half =
-        model.masses.radius[i] > 0.0 ? std::max(model.masses.radius[i], radii.mass) : radii.of_mass[i];
+    if (!drawn.appearance.masses[i]) continue;
+    const double contact = model.masses.radius[i];
+    const double half = contact > 0.0 ? std::max(contact, drawn.radii.mass) : drawn.radii.of_mass[i];
     bodies.boxes.push_back(
-        box_record({state.position.at(i), Vec3::Constant(half), turns[i].toRotationMatrix()},
-                   mass_colour(model, look, radii, quantity, scale, i)));
+        box_record({drawn.state.position.at(i), Vec3::Constant(half), turns[i].toRotationMatrix()},
+                   mass_colour(drawn, i)));
   }
 }
 

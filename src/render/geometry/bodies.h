@@ -56,8 +56,7 @@ TaperedRod squeezed_ball(const Vec3& centre, double radius, const Vec3& axis, do
 /// Adds something to hit; nothing for a plane.
 void add_shape(Bodies& bodies, const Shape& shape, const Colour& colour);
 
-/// Adds a box at each mass that is in no ragdoll, turned as its links have turned since the start.
-void add_mass_boxes(Bodies& bodies, const Model& model, const State& start, const State& state,
-                    const Look& look, const Radii& radii, const Quantity& quantity, const ColourScale& scale);
+/// Adds a box at each mass that is drawn by itself, turned as its links have turned since the start.
+void add_mass_boxes(Bodies& bodies, const State& start, const Drawn& drawn);
 
 }  // namespace taut

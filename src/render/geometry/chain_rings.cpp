@@ -56,8 +56,8 @@ Bearings ring_each_pitch(const Model& model, const State& state, const LinkRun& 
 
 }  // namespace
 
-std::vector<RingRecord> chain_rings(const Model& model, const State& state, const std::vector<LinkRun>& runs,
-                                    const Look& look, const Quantity& quantity, const ColourScale& scale) {
+std::vector<RingRecord> chain_rings(const Drawn& drawn, const std::vector<LinkRun>& runs) {
+  const auto& [model, state, look, appearance, radii, quantity, scale] = drawn;
   std::vector<RingRecord> rings;
   for (const LinkRun& run : runs) {
     const Bearings bearings = look.chain_pitch > 0.0 ? ring_each_pitch(model, state, run, look.chain_pitch)
@@ -74,7 +74,7 @@ std::vector<RingRecord> chain_rings(const Model& model, const State& state, cons
       const double turn = first_turn + (i % 2 == 0 ? 0.0 : 0.5 * std::numbers::pi);
       const Vec3 side = std::cos(turn) * normals[i] + std::sin(turn) * directions[i].cross(normals[i]);
       const Index link = bearings.links[i];
-      const Colour colour = quantity.of_link.empty() ? look.link_colour : scale.at(quantity.of_link[link]);
+      const Colour colour = link_colour(drawn, link);
       rings.push_back({to_glm(bearings.places[i]), static_cast<float>(wire), to_glm(bearings.places[i + 1]),
                        static_cast<float>(bend_to_wire * wire), to_glm(side), opaque(colour)});
     }

@@ -20,9 +20,7 @@ struct RingRecord {
 };
 
 /// Runs of links as rings that go through each other, each turned by a right angle against the one before
-/// (state in picture space): a ring a link, or one each `look.chain_pitch`, which is made to fit. `scale` is
-/// not used when the quantity is empty.
-std::vector<RingRecord> chain_rings(const Model& model, const State& state, const std::vector<LinkRun>& runs,
-                                    const Look& look, const Quantity& quantity, const ColourScale& scale);
+/// (state in picture space): a ring a link, or one each `look.chain_pitch`, which is made to fit.
+std::vector<RingRecord> chain_rings(const Drawn& drawn, const std::vector<LinkRun>& runs);
 
 }  // namespace taut

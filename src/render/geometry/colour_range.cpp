@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "geometry/colour_scale.h"
+#include "render/appearance.h"
 
 namespace taut {
 namespace {
@@ -14,14 +15,18 @@ constexpr int bin_of_nothing = std::numeric_limits<int>::min();
 
 }  // namespace
 
-void ColourRange::add(const Model& model, const State& state) {
+void ColourRange::add(const Model& model, const State& state, const Look& look) {
   const Quantity values = quantity(model, state, by_);
+  const std::vector<bool> seen = masses_in_view(model, look);
   if (by_ == ColourBy::speed) {
-    for (const double value : values.of_mass) add(value);
+    for (std::size_t mass = 0; mass < values.of_mass.size(); ++mass)
+      if (seen[mass]) add(values.of_mass[mass]);
     return;
   }
   for (std::size_t link = 0; link < values.of_link.size(); ++link)
-    if (!state.broken(link) && model.links.family[link] == LinkFamily::structural) add(values.of_link[link]);
+    if (seen[model.links.a[link]] && seen[model.links.b[link]] && !state.broken(link) &&
+        model.links.family[link] == LinkFamily::structural)
+      add(values.of_link[link]);
 }
 
 void ColourRange::add(double value) {

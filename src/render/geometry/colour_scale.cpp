@@ -130,7 +130,7 @@ ColourScale colour_scale(const Look& look, const Model& model, const State& stat
   double top = look.colour_range;
   if (!(top > 0.0)) {
     ColourRange range(look.colour_by);
-    range.add(model, state);
+    range.add(model, state, look);
     top = range.top();
   }
   return {top, look.theme, look.colour_steps, true};

@@ -200,12 +200,13 @@ class Figure {
 
 }  // namespace
 
-void add_figures(Bodies& bodies, const std::vector<BodyParts>& parts, const State& state, const Look& look,
-                 const Quantity& quantity, const ColourScale& scale) {
-  const std::vector<Colour> hues = body_hues(look.bone_colour, parts.size());
+void add_figures(Bodies& bodies, const std::vector<BodyParts>& parts, const Drawn& drawn) {
+  const std::vector<Colour> hues = body_hues(drawn.look.bone_colour, parts.size());
+  const std::vector<std::optional<Colour>>& own = drawn.appearance.body_colours;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    const FigurePaint paint(look, quantity, scale, hues[i]);
-    Figure(bodies, state, parts[i], paint).add();
+    if (!drawn.appearance.bodies[i]) continue;
+    const Colour colour = own.empty() ? hues[i] : own[i].value_or(hues[i]);
+    Figure(bodies, drawn.state, parts[i], FigurePaint(drawn.look, drawn.quantity, drawn.scale, colour)).add();
   }
 }
 

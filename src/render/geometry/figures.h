@@ -10,8 +10,7 @@ namespace taut {
 
 /// Adds ragdolls: a trunk, a neck and a head, limbs that taper, hands and feet. Where they meet their
 /// surfaces are one, in one colour; coloured by limits, joints are balls that stand out. Sizes are within a
-/// few hundredths of the height of what collides.
-void add_figures(Bodies& bodies, const std::vector<BodyParts>& parts, const State& state, const Look& look,
-                 const Quantity& quantity, const ColourScale& scale);
+/// few hundredths of the height of what collides. Those that are not drawn as bodies are left out.
+void add_figures(Bodies& bodies, const std::vector<BodyParts>& parts, const Drawn& drawn);
 
 }  // namespace taut

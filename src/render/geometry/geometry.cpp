@@ -1,5 +1,6 @@
 #include "geometry/geometry.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "geometry/figures.h"
@@ -26,12 +27,59 @@ Bounds bounds_of(const Geometry& geometry) {
   return geometry.empty() ? Bounds{} : bounds;
 }
 
+// What is left of an appearance without the masses and links of what is drawn as cloth.
+Appearance beside_cloth(const Model& model, const Appearance& all) {
+  Appearance rest = all;
+  for (std::size_t mass = 0; mass < rest.masses.size(); ++mass)
+    if (all.shading[mass]) rest.masses[mass] = false;
+  for (std::size_t link = 0; link < rest.links.size(); ++link)
+    if (all.shading[model.links.a[link]] && all.shading[model.links.b[link]]) rest.links[link] = false;
+  return rest;
+}
+
+// What one appearance draws and another does not.
+Appearance without(const Appearance& all, const Appearance& others) {
+  Appearance rest = all;
+  for (std::size_t mass = 0; mass < rest.masses.size(); ++mass)
+    if (others.masses[mass]) rest.masses[mass] = false;
+  for (std::size_t link = 0; link < rest.links.size(); ++link)
+    if (others.links[link]) rest.links[link] = false;
+  return rest;
+}
+
+// Adds spheres and rods; those of `beside`, where it has any, come first and throw shadows beside cloth.
+void add_lattice(Geometry& geometry, const Drawn& drawn, const Appearance& beside) {
+  if (beside.masses.empty()) {
+    geometry.spheres = sphere_records(drawn);
+    geometry.links = link_records(drawn);
+    return;
+  }
+  const Appearance rest = without(drawn.appearance, beside);
+  const auto of = [&](const Appearance& part) {
+    return Drawn{drawn.model, drawn.state, drawn.look, part, drawn.radii, drawn.quantity, drawn.scale};
+  };
+  geometry.spheres = sphere_records(of(beside));
+  geometry.links = link_records(of(beside));
+  geometry.sphere_shadows = geometry.spheres.size();
+  geometry.link_shadows = geometry.links.size();
+  geometry.line_shadows = true;
+  for (const SphereRecord& sphere : sphere_records(of(rest))) geometry.spheres.push_back(sphere);
+  for (const RodRecord& link : link_records(of(rest))) geometry.links.push_back(link);
+}
+
+Colour solid_colour(const Look& look, const Appearance& appearance, std::size_t solid) {
+  if (appearance.solid_colours.empty()) return look.collider_colour;
+  return appearance.solid_colours[solid].value_or(look.collider_colour);
+}
+
 }  // namespace
 
 struct GeometryMaker::Parts {
   const Model& model;
   Look look;
   Radii radii;
+  Appearance appearance;
+  Appearance beside_cloth;     // the same without what is drawn as cloth; empty where that is all or nothing
   Vec3 anchor;                 // m
   double size;                 // m, of the scene
   std::optional<State> exact;  // drawn as a ghost
@@ -47,6 +95,8 @@ GeometryMaker::GeometryMaker(const Model& model, const State& start, const Look&
     : parts_(new Parts{model,
                        look,
                        radii(model, look),
+                       appearance(model, look),
+                       {},
                        Vec3::Zero(),
                        scene_size(model, start),
                        exact,
@@ -56,12 +106,13 @@ GeometryMaker::GeometryMaker(const Model& model, const State& start, const Look&
                        {},
                        {}}) {
   if (start.position.size() > 0) parts_->anchor = start.position.at(0);
-  if (look.masses && look.mass_shape == MassShape::box) parts_->start = start;
-  if (look.supports) parts_->supports.emplace(model, start, look, parts_->radii);
-  if (look.surface && !model.triangles.empty()) {
+  if (look.mass_shape == MassShape::box) parts_->start = start;
+  if (look.supports) parts_->supports.emplace(model, start, look, parts_->radii, parts_->appearance);
+  if (std::ranges::find(parts_->appearance.sheets, true) != parts_->appearance.sheets.end()) {
     const float pixels_a_metre =
         sight ? 1.0F / (reach_of(sight->pose) * pixel_height(sight->pose, sight->size)) : 0.0F;
     parts_->cloth = cloth_of(model, start, look, pixels_a_metre);
+    if (parts_->appearance.own_parts) parts_->beside_cloth = beside_cloth(model, parts_->appearance);
   }
 }
 
@@ -69,7 +120,8 @@ GeometryMaker::~GeometryMaker() = default;
 
 std::shared_ptr<const Geometry> GeometryMaker::make(const State& state, const CameraPose& pose,
                                                     const Trails* trails) {
-  const auto& [model, look, radii, anchor, size, exact, bodies, start, supports, cloth, topology] = *parts_;
+  const auto& [model, look, radii, appearance, beside, anchor, size, exact, bodies, start, supports, cloth,
+               topology] = *parts_;
   const PictureSpace space(pose);
   const State seen = space.seen(state);
   const Quantity values = quantity(model, state, look.colour_by);
@@ -77,13 +129,13 @@ std::shared_ptr<const Geometry> GeometryMaker::make(const State& state, const Ca
   const auto geometry = std::make_shared<Geometry>();
   geometry->pose = pose;
   if (look.colour_by != ColourBy::plain) geometry->scale = colour_scale(look, model, state);
-  geometry->spheres = sphere_records(model, seen, look, radii, values, geometry->scale);
-  geometry->links = link_records(model, seen, look, radii, values, geometry->scale);
-  const Seen in_lines{model, seen, look, radii, values, geometry->scale};
-  add_linked(geometry->lines, geometry->spheres, in_lines);
-  add_loads(geometry->lines, in_lines, space, size);
-  if (trails != nullptr) add_trails(geometry->lines, in_lines, space, *trails);
-  if (exact) add_ghost(geometry->lines, in_lines, space.seen(*exact));
+  geometry->legend = appearance.scale;
+  const Drawn drawn{model, seen, look, appearance, radii, values, geometry->scale};
+  add_lattice(*geometry, drawn, beside);
+  add_linked(geometry->lines, geometry->spheres, drawn);
+  add_loads(geometry->lines, drawn, space, size);
+  if (trails != nullptr) add_trails(geometry->lines, drawn, space, *trails);
+  if (exact) add_ghost(geometry->lines, drawn, space.seen(*exact));
   if (cloth) {
     parts_->topology = surface_topology(*cloth, state, topology);
     geometry->surface = surface_mesh(*cloth, *topology, seen, space, values, geometry->scale);
@@ -92,14 +144,15 @@ std::shared_ptr<const Geometry> GeometryMaker::make(const State& state, const Ca
         loose_threads(*cloth, *topology, geometry->surface, seen, to_glm(down), look);
     geometry->links.insert(geometry->links.end(), threads.begin(), threads.end());
   }
-  if (look.colliders)
-    for (const Collider& collider : model.colliders) {
-      add_shape(geometry->bodies, space.seen(shape_at(collider, state.time)), look.collider_colour);
-      add_turning_marks(geometry->bodies, collider, state.time, space, look.collider_colour);
-    }
-  if (look.bones) add_figures(geometry->bodies, bodies, seen, look, values, geometry->scale);
-  if (start)
-    add_mass_boxes(geometry->bodies, model, space.seen(*start), seen, look, radii, values, geometry->scale);
+  for (std::size_t i = 0; i < model.colliders.size(); ++i) {
+    if (!appearance.solids[i]) continue;
+    const Collider& collider = model.colliders[i];
+    const Colour colour = solid_colour(look, appearance, i);
+    add_shape(geometry->bodies, space.seen(shape_at(collider, state.time)), colour);
+    add_turning_marks(geometry->bodies, collider, state.time, space, colour);
+  }
+  add_figures(geometry->bodies, bodies, drawn);
+  if (start) add_mass_boxes(geometry->bodies, space.seen(*start), drawn);
   if (supports) add_supports(geometry->bodies, parts_->supports->seen_with(pose.up), space, seen, look.theme);
   for (const Ground& ground : drawn_grounds(model, look, pose.up, state.time)) {
     const GroundPatch patch = ground_patch(ground, space, lines_a_period * grid_spacing(pose));

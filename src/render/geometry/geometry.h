@@ -31,7 +31,12 @@ struct Geometry {
   std::vector<GroundPatch> grounds;  ///< those that are seen from above
   Bounds bounds;                     ///< of all but the grounds; the eye where there is nothing
   ColourScale scale;                 ///< of its colours, where they mean anything
-  glm::dvec3 anchor{0.0};            ///< a place that no camera moves, for texels of shadows to keep to
+  bool legend = false;               ///< whether anything may have a colour of the scale
+  /// Beside cloth, which throws the shadow of its own lattice, so many of the first spheres and links throw
+  /// one, and lines where `line_shadows`.
+  std::size_t sphere_shadows = 0, link_shadows = 0;
+  bool line_shadows = false;
+  glm::dvec3 anchor{0.0};  ///< a place that no camera moves, for texels of shadows to keep to
 
   bool empty() const {
     return spheres.empty() && links.empty() && lines.empty() && surface.vertices.empty() && bodies.empty();

@@ -19,6 +19,7 @@ GroundPatch ground_patch(const Ground& ground, const PictureSpace& space, double
   patch.foot = {static_cast<float>(std::fmod(-axes.col(0).dot(origin), period)),
                 static_cast<float>(std::fmod(-axes.col(2).dot(origin), period))};
   patch.solid = ground.solid;
+  patch.colour = ground.colour;
   return patch;
 }
 

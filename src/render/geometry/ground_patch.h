@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 
 #include "geometry/picture_space.h"
 #include "render/ground.h"
@@ -14,6 +15,7 @@ struct GroundPatch {
   float height = 0.0F;                        ///< m, of the eye above it; not above 0 where it isn't seen
   glm::vec2 foot{0.0F};                       ///< m, where in the grid the foot of the eye is
   bool solid = false;
+  std::optional<Colour> colour = std::nullopt;  ///< its own, in place of the theme's
 
   bool operator==(const GroundPatch&) const = default;
 };

@@ -6,6 +6,7 @@
 #include "geometry/colour_scale.h"
 #include "model/model.h"
 #include "model/state.h"
+#include "render/appearance.h"
 #include "view/view.h"
 
 namespace taut {
@@ -36,22 +37,29 @@ struct Radii {
 /// contact has that one, but that a pin always shows beside its links.
 Radii radii(const Model& model, const Look& look);
 
-/// Whether each link is whole, of a family that the look names, and not drawn as bones.
-std::vector<bool> links_to_draw(const Model& model, const State& state, const Look& look);
+/// What of a model is drawn, and how; `scale` is not used when the quantity is empty.
+struct Drawn {
+  const Model& model;
+  const State& state;  ///< in picture space
+  const Look& look;
+  const Appearance& appearance;
+  const Radii& radii;
+  const Quantity& quantity;
+  const ColourScale& scale;
+};
 
-/// A mass's colour. `scale` is not used when the quantity is empty.
-Colour mass_colour(const Model& model, const Look& look, const Radii& radii, const Quantity& quantity,
-                   const ColourScale& scale, std::size_t mass);
+/// Whether each link is drawn, and whole in a state.
+std::vector<bool> links_to_draw(const Appearance& appearance, const State& state);
 
-/// Spheres for masses that are not drawn as bones or boxes, or where only links are drawn, for the joints
-/// between them. In ropes and chains there are no masses to be seen but pins, heavy ones, and those that the
-/// scene has beside its chains and sheets. `scale` is not used when the quantity is empty.
-std::vector<SphereRecord> sphere_records(const Model& model, const State& state, const Look& look,
-                                         const Radii& radii, const Quantity& quantity,
-                                         const ColourScale& scale);
+/// A mass's colour.
+Colour mass_colour(const Drawn& drawn, std::size_t mass);
+/// A link's colour.
+Colour link_colour(const Drawn& drawn, std::size_t link);
+
+/// Spheres for masses that are drawn as such, and for the joints between links whose masses are not.
+std::vector<SphereRecord> sphere_records(const Drawn& drawn);
 
 /// Ribbons for the links to draw, where they are drawn as rods.
-std::vector<RodRecord> link_records(const Model& model, const State& state, const Look& look,
-                                    const Radii& radii, const Quantity& quantity, const ColourScale& scale);
+std::vector<RodRecord> link_records(const Drawn& drawn);
 
 }  // namespace taut

@@ -45,26 +45,16 @@ void for_each_ball(const Lines& lines, const Visit& visit) {
   }
 }
 
-/// What is seen of one state.
-struct Seen {
-  const Model& model;
-  const State& state;  ///< in picture space
-  const Look& look;
-  const Radii& radii;
-  const Quantity& quantity;
-  const ColourScale& scale;
-};
-
 /// Adds links as ropes or chains where the look says so, with the balls that ropes end in.
-void add_linked(Lines& lines, std::vector<SphereRecord>& balls, const Seen& seen);
+void add_linked(Lines& lines, std::vector<SphereRecord>& balls, const Drawn& drawn);
 
 /// Adds arrows of loads where the look says so; `size` (m): the scene's.
-void add_loads(Lines& lines, const Seen& seen, const PictureSpace& space, double size);
+void add_loads(Lines& lines, const Drawn& drawn, const PictureSpace& space, double size);
 
 /// Adds the links of another state, in picture space, as ghosts.
-void add_ghost(Lines& lines, const Seen& seen, const State& other);
+void add_ghost(Lines& lines, const Drawn& drawn, const State& other);
 
 /// Adds trails, in the world's space, as lines that fade into the past.
-void add_trails(Lines& lines, const Seen& seen, const PictureSpace& space, const Trails& trails);
+void add_trails(Lines& lines, const Drawn& drawn, const PictureSpace& space, const Trails& trails);
 
 }  // namespace taut

@@ -1,6 +1,7 @@
 #include "geometry/load_arrows.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "geometry/view_matrices.h"
 
@@ -24,16 +25,21 @@ double force_of_arrow(const Load& load) {
 
 }  // namespace
 
-std::vector<RodRecord> load_arrows(const Model& model, const State& state, const std::vector<Vec3>& turned,
-                                   const Look& look, double size, const std::vector<double>& gap) {
+std::vector<RodRecord> load_arrows(const Drawn& drawn, const std::vector<Vec3>& turned, double size,
+                                   const std::vector<double>& gap) {
+  const Model& model = drawn.model;
+  const State& state = drawn.state;
   double largest = 0.0;
   for (const Load& load : model.loads) largest = std::max(largest, force_of_arrow(load));
   std::vector<RodRecord> arrows;
-  const Rgba colour = opaque(look.theme == Theme::dark ? on_dark : on_light);
+  const Rgba colour = opaque(drawn.look.theme == Theme::dark ? on_dark : on_light);
   for (std::size_t i = 0; i < model.loads.size(); ++i) {
     const Load& load = model.loads[i];
     const double share = largest > 0.0 ? force_of_arrow(load) * load.share(state.time) / largest : 0.0;
-    if (share < faintest || load.masses.empty()) continue;
+    std::vector<Index> pushed;
+    std::ranges::copy_if(load.masses, std::back_inserter(pushed),
+                         [&](Index mass) { return drawn.appearance.there[mass]; });
+    if (share < faintest || pushed.empty()) continue;
     const double length = longest * size * share;
     const double radius = std::min(shaft_radius * size, slimmest * length);
     const Vec3 along = turned[i].normalized();
@@ -43,9 +49,9 @@ std::vector<RodRecord> load_arrows(const Model& model, const State& state, const
     };
     Vec3 middle = Vec3::Zero();
     double most_apart = 0.0;
-    for (const Index mass : load.masses) {
+    for (const Index mass : pushed) {
       if (!merged(load)) add(state.position.at(mass), gap[mass]);
-      middle += state.position.at(mass) / static_cast<double>(load.masses.size());
+      middle += state.position.at(mass) / static_cast<double>(pushed.size());
       most_apart = std::max(most_apart, gap[mass]);
     }
     if (merged(load)) add(middle, most_apart);

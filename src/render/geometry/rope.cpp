@@ -132,8 +132,11 @@ std::vector<double> phases_of(const std::vector<Sample>& samples, double radius)
 
 class RopeMaker {
  public:
-  RopeMaker(const Look& look, double radius, const Quantity& quantity, const ColourScale& scale)
-      : look_(look), radius_(radius), coloured_(!quantity.of_link.empty()), scale_(scale) {}
+  RopeMaker(double radius, const Quantity& quantity, const ColourScale& scale)
+      : radius_(radius), coloured_(!quantity.of_link.empty()), scale_(scale) {}
+
+  /// What is added from now on has a colour, where it has none of what it does.
+  void paint(const Colour& plain) { plain_ = plain; }
 
   void add_run(const std::vector<Sample>& samples) {
     const std::vector<double> phases = phases_of(samples, radius_);
@@ -171,7 +174,7 @@ class RopeMaker {
     }
   }
 
-  Colour colour(double value) const { return coloured_ ? scale_.at(value) : look_.link_colour; }
+  Colour colour(double value) const { return coloured_ ? scale_.at(value) : plain_; }
   Ropes take() { return std::move(result_); }
 
  private:
@@ -183,9 +186,9 @@ class RopeMaker {
                               opaque(colour(to.value))});
   }
 
-  const Look& look_;
   double radius_;
   bool coloured_;
+  Colour plain_{};
   const ColourScale& scale_;
   Ropes result_;
 };
@@ -214,13 +217,18 @@ std::vector<bool> torn_masses(const Model& model, const State& state) {
 
 }  // namespace
 
-Ropes ropes(const Model& model, const State& state, const std::vector<LinkRun>& runs, const Look& look,
-            double radius, const Quantity& quantity, const ColourScale& scale) {
-  RopeMaker maker(look, radius, quantity, scale);
+Ropes ropes(const Drawn& drawn, const std::vector<LinkRun>& runs) {
+  const Model& model = drawn.model;
+  const State& state = drawn.state;
+  const double radius = drawn.radii.link;
+  RopeMaker maker(radius, drawn.quantity, drawn.scale);
   const std::vector<bool> torn = torn_masses(model, state);
   const std::vector<Index> tied = knots(model, runs);
+  std::vector<Index> link_at(model.masses.size());  // one that a run has at each mass
   for (const LinkRun& run : runs) {
-    const std::vector<Sample> samples = samples_of(model, state, run, quantity);
+    const std::vector<Sample> samples = samples_of(model, state, run, drawn.quantity);
+    maker.paint(link_colour(drawn, run.links.front()));
+    for (const Index mass : run.masses) link_at[mass] = run.links.front();
     maker.add_run(samples);
     if (run.closed()) continue;
     const auto end = [&](const Sample& sample, Index mass, const Vec3& outward) {
@@ -230,10 +238,12 @@ Ropes ropes(const Model& model, const State& state, const std::vector<LinkRun>& 
     end(samples.front(), run.masses.front(), -samples.front().tangent);
     end(samples.back(), run.masses.back(), samples.back().tangent);
   }
-  const std::vector<double> highest = highest_values(model, runs, quantity);
-  for (const Index mass : tied)
+  const std::vector<double> highest = highest_values(model, runs, drawn.quantity);
+  for (const Index mass : tied) {
+    maker.paint(link_colour(drawn, link_at[mass]));
     maker.add_ball(state.position.at(mass), knot_size * radius,
                    shaded(maker.colour(highest[mass]), knot_shade));
+  }
   return maker.take();
 }
 

@@ -29,8 +29,7 @@ struct Ropes {
 
 /// Smooth ropes of three strands through the masses of runs (state in picture space). The strands keep to the
 /// rope's material. Where a link has broken, a rope ends in loose strands. Colours go smoothly from link to
-/// link. `scale` is not used when the quantity is empty.
-Ropes ropes(const Model& model, const State& state, const std::vector<LinkRun>& runs, const Look& look,
-            double radius, const Quantity& quantity, const ColourScale& scale);
+/// link; where they mean nothing a run has that of its first link.
+Ropes ropes(const Drawn& drawn, const std::vector<LinkRun>& runs);
 
 }  // namespace taut

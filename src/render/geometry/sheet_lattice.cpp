@@ -14,8 +14,9 @@ float mean_length(const Model& model, const std::vector<Index>& links) {
 
 // The sheet's triangles know which links their edges are: a cell has one of its upper left and one of its
 // lower right half.
-SheetLattice lattice_of(const Model& model, const Sheet& sheet) {
-  SheetLattice lattice{sheet.first_mass, sheet.rows, sheet.columns, {}, {}, {}};
+SheetLattice lattice_of(const Model& model, std::size_t number) {
+  const Sheet& sheet = model.sheets[number];
+  SheetLattice lattice{number, sheet.first_mass, sheet.rows, sheet.columns, {}, {}, {}};
   lattice.across.resize(std::size_t{sheet.rows} * (sheet.columns - 1));
   lattice.down.resize(std::size_t{sheet.rows - 1} * sheet.columns);
   for (Index row = 0; row + 1 < sheet.rows; ++row)
@@ -36,7 +37,7 @@ SheetLattice lattice_of(const Model& model, const Sheet& sheet) {
 
 std::vector<SheetLattice> sheet_lattices(const Model& model) {
   std::vector<SheetLattice> lattices;
-  for (const Sheet& sheet : model.sheets) lattices.push_back(lattice_of(model, sheet));
+  for (std::size_t i = 0; i < model.sheets.size(); ++i) lattices.push_back(lattice_of(model, i));
   return lattices;
 }
 

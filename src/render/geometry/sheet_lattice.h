@@ -10,6 +10,7 @@ namespace taut {
 
 /// A sheet as rows and columns of masses, and the links between neighbours.
 struct SheetLattice {
+  std::size_t number = 0;  ///< of the model's sheet
   Index first_mass = 0;
   Index rows = 0, columns = 0;
   std::vector<Index> across;  ///< from each mass of a row to the next, row after row

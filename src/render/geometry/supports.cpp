@@ -66,13 +66,15 @@ std::vector<Vec3> all_ways(const std::vector<const SupportedPin*>& pins) {
   return places;
 }
 
-// Across a ball around all masses (m): the same however they are turned.
-double extent_of(const State& start) {
-  const std::size_t count = start.position.size();
+// Across a ball around all masses that are seen (m): the same however they are turned.
+double extent_of(const State& start, const std::vector<bool>* seen) {
+  std::vector<std::size_t> masses;
+  for (std::size_t i = 0; i < start.position.size(); ++i)
+    if (seen == nullptr || (*seen)[i]) masses.push_back(i);
   Vec3 middle = Vec3::Zero();
-  for (std::size_t i = 0; i < count; ++i) middle += start.position.at(i) / static_cast<double>(count);
+  for (const std::size_t i : masses) middle += start.position.at(i) / static_cast<double>(masses.size());
   double reach = 0.0;
-  for (std::size_t i = 0; i < count; ++i) reach = std::max(reach, (start.position.at(i) - middle).norm());
+  for (const std::size_t i : masses) reach = std::max(reach, (start.position.at(i) - middle).norm());
   return 2.0 * reach;
 }
 
@@ -82,7 +84,7 @@ class SupportMaker {
       : model_(model),
         start_(start),
         sight_(sight),
-        extent_(extent_of(start)),
+        extent_(extent_of(start, sight.seen)),
         unit_(std::max(0.0105 * extent_, 0.3 * sight.pin_radius)) {
     find_pins();
   }
@@ -112,6 +114,7 @@ class SupportMaker {
     pin_of_mass_.assign(count, none);
     for (std::size_t mass = 0; mass < count; ++mass) {
       if (!model_.masses.pinned(mass) || links[mass] == 0.0) continue;
+      if (sight_.seen != nullptr && !(*sight_.seen)[mass]) continue;
       pin_of_mass_[mass] = pins_.size();
       const Vec3 at = start_.position.at(mass);
       pins_.push_back({static_cast<Index>(mass), at, {at}, false, towards[mass] / links[mass]});
@@ -178,6 +181,7 @@ class SupportMaker {
     for (Index i = 0; i < count; ++i)
       if (const std::size_t pin = pin_of_mass_[first + i * step]; pin != none) pins.push_back(&pins_[pin]);
     if (pins.size() < 3) return;
+    if (pins.size() == count && moved_as_one(pins)) return carry_bar(pins);
     const std::optional<Stretch> line = line_through(all_ways(pins));
     if (!line) return;
     const bool moves = std::ranges::any_of(pins, [](const SupportedPin* pin) { return pin->moves; });
@@ -190,6 +194,32 @@ class SupportMaker {
       add_rail(*line, pins);
     else
       return;
+    for (const SupportedPin* pin : pins) held_[pin_of_mass_[pin->mass]] = true;
+  }
+
+  // Whether all pins move, and keep their places to each other.
+  bool moved_as_one(const std::vector<const SupportedPin*>& pins) const {
+    const SupportedPin& first = *pins.front();
+    return std::ranges::all_of(pins, [&](const SupportedPin* pin) {
+      if (!pin->moves || pin->ways.size() != first.ways.size()) return false;
+      for (std::size_t i = 0; i < first.ways.size(); ++i)
+        if ((pin->ways[i] - pin->at - first.ways[i] + first.at).norm() > 1e-9 * extent_) return false;
+      return true;
+    });
+  }
+
+  // A bar along an edge that moves along with it.
+  void carry_bar(const std::vector<const SupportedPin*>& pins) {
+    std::vector<Vec3> places;
+    for (const SupportedPin* pin : pins) places.push_back(pin->at);
+    const std::optional<Stretch> line = line_through(places);
+    if (!line) return;
+    const SupportedPin& first = *pins.front();
+    const Vec3 start = line->at(line->low - 3.0 * unit_) - first.at,
+               end = line->at(line->high + 3.0 * unit_) - first.at;
+    carry(first.mass, {start, end, unit_, unit_, Vec3::Zero(), Material::wood});
+    for (const Vec3& tip : {start, end})
+      carry(first.mass, {tip, tip, 1.9 * unit_, 1.9 * unit_, Vec3::Zero(), Material::metal});
     for (const SupportedPin* pin : pins) held_[pin_of_mass_[pin->mass]] = true;
   }
 
@@ -332,61 +362,10 @@ class SupportMaker {
   Supports made_;
 };
 
-double drawn_pin_radius(const Model& model, const Look& look, const Radii& radii) {
-  double largest = look.links ? radii.link : 0.0;
-  if (!look.masses) return largest;
-  for (std::size_t i = 0; i < model.masses.size(); ++i)
-    if (model.masses.pinned(i))
-      largest = std::max(largest, model.masses.radius[i] > 0.0 ? model.masses.radius[i] : radii.mass);
-  return largest;
-}
-
-Colour colour_of(Material material, Theme theme) {
-  if (theme == Theme::dark)
-    return material == Material::wood ? Colour{0.52, 0.44, 0.36} : Colour{0.56, 0.58, 0.61};
-  return material == Material::wood ? Colour{0.52, 0.43, 0.34} : Colour{0.46, 0.48, 0.51};
-}
-
-void add_part(Bodies& bodies, const SupportPart& part, const PictureSpace& space, const Vec3& origin,
-              Theme theme) {
-  TaperedRod rod =
-      tapered_rod(origin + space.direction(part.start), part.start_radius, origin + space.direction(part.end),
-                  part.end_radius, colour_of(part.material, theme));
-  rod.squeeze = to_glm(space.direction(part.squeeze));
-  bodies.rods.push_back(rod);
-}
-
 }  // namespace
 
 Supports supports(const Model& model, const State& start, const SupportSight& sight) {
   return SupportMaker(model, start, sight).make();
-}
-
-SceneSupports::SceneSupports(const Model& model, const State& start, const Look& look, const Radii& radii)
-    : model_(&model), start_(start), look_(look), pin_radius_(drawn_pin_radius(model, look, radii)) {}
-
-const Supports& SceneSupports::seen_with(const Vec3& up) {
-  if (up != up_) {
-    const std::vector<Ground> grounds = drawn_grounds(*model_, look_, up);
-    supports_ = supports(*model_, start_, {up, grounds, pin_radius_});
-    up_ = up;
-  }
-  return supports_;
-}
-
-void add_supports(Bodies& bodies, const Supports& supports, const PictureSpace& space, const State& seen,
-                  Theme theme) {
-  for (const SupportPart& part : supports.fixed) {
-    // Seen from its start, which is near: far from the world's origin differences keep their digits.
-    SupportPart from_start = part;
-    from_start.start = Vec3::Zero();
-    from_start.end = part.end - part.start;
-    add_part(bodies, from_start, space, space.place(part.start), theme);
-  }
-  for (const Box& beam : supports.beams)
-    add_shape(bodies, space.seen(Shape(beam)), colour_of(Material::wood, theme));
-  for (const CarriedPart& carried : supports.carried)
-    add_part(bodies, carried.part, space, seen.position.at(carried.mass), theme);
 }
 
 }  // namespace taut

@@ -38,25 +38,28 @@ struct Supports {
 
 /// What drawing knows that bears on supports.
 struct SupportSight {
-  Vec3 up = Vec3::UnitY();          ///< unit length
-  std::span<const Ground> grounds;  ///< what posts stand on
-  double pin_radius = 0.0;          ///< m, of pins as they are drawn
+  Vec3 up = Vec3::UnitY();                  ///< unit length
+  std::span<const Ground> grounds;          ///< what posts stand on
+  double pin_radius = 0.0;                  ///< m, of pins as they are drawn
+  const std::vector<bool>* seen = nullptr;  ///< whether each mass is; null: all are
 };
 
 /// Works out from a scene's pins what might hold them, once for a whole film:
-/// - an edge of a sheet whose pins all lie on one line: a pole where that is upright, else a bar where all
+/// - an edge of a sheet that is moved as one: a bar that moves along.
+/// - another whose pins all lie on one line: a pole where that is upright, else a bar where all
 ///   of the edge is pinned, else a rail with a ring for each pin. A rail is as long as hooks ever move.
 /// - three pins or more that are spread out level and pulled at from the side: a post each; a pin just above
 ///   the ground: a peg; other pins at rest: a bracket above each; of a body: a bar to hold on to.
 /// - pins that are moved otherwise: a handle that moves along.
-/// Pins without links, and what nothing is pinned of, have none.
+/// Pins without links, hidden ones, and what nothing is pinned of, have none.
 Supports supports(const Model& model, const State& start, const SupportSight& sight);
 
 /// The supports of one scene, worked out when they are first seen.
 class SceneSupports {
  public:
   /// Refers to the model from then on.
-  SceneSupports(const Model& model, const State& start, const Look& look, const Radii& radii);
+  SceneSupports(const Model& model, const State& start, const Look& look, const Radii& radii,
+                const Appearance& appearance);
 
   /// In pictures for which `up` (unit length) is up.
   const Supports& seen_with(const Vec3& up);
@@ -65,7 +68,8 @@ class SceneSupports {
   const Model* model_;
   State start_;
   Look look_;
-  double pin_radius_;  // m
+  double pin_radius_;       // m
+  std::vector<bool> seen_;  // by mass
   Vec3 up_ = Vec3::Zero();
   Supports supports_;
 };

@@ -1,5 +1,6 @@
 #include "geometry/surface_mesh.h"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 
@@ -127,6 +128,19 @@ void add_vertices(SurfaceMesh& mesh, const Cloth& cloth, const SurfaceTopology& 
   add(places_of_tears(topology, masses, turn_of(space)));
 }
 
+/// Each vertex has the colours of its sheet.
+void add_tints(SurfaceMesh& mesh, const Cloth& cloth, const SurfaceTopology& topology) {
+  if (cloth.tints.empty()) return;
+  for (std::size_t i = 0; i < cloth.sheets.size(); ++i) {
+    const glm::uvec2 size = fine_size(cloth.sheets[i], cloth.fineness);
+    mesh.tints.insert(mesh.tints.end(), std::size_t{size.x} * size.y, cloth.tints[i]);
+  }
+  for (const Index mass : masses_of_tears(topology)) {
+    const auto after = std::ranges::upper_bound(cloth.sheets, mass, {}, &SheetLattice::first_mass);
+    mesh.tints.push_back(cloth.tints[static_cast<std::size_t>(after - cloth.sheets.begin()) - 1]);
+  }
+}
+
 void add_hollows(SurfaceMesh& mesh, const Cloth& cloth, const SurfaceTopology& topology,
                  const std::vector<glm::vec3>& masses) {
   std::vector<glm::vec3> normals(masses.size(), glm::vec3(0.0F));
@@ -171,6 +185,7 @@ SurfaceMesh surface_mesh(const Cloth& cloth, const SurfaceTopology& topology, co
     for (const double value : at_vertices(cloth, topology, quantity.of_mass))
       mesh.colours.push_back(opaque(scale.at(value)));
   }
+  add_tints(mesh, cloth, topology);
   add_normals(mesh);
   add_hollows(mesh, cloth, topology, masses);
   return mesh;

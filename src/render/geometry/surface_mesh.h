@@ -22,7 +22,8 @@ struct SurfaceVertex {
 /// Vertices and triangles, in the topology's order.
 struct SurfaceMesh {
   std::vector<SurfaceVertex> vertices;
-  std::vector<Rgba> colours;  ///< in place of the cloth's own; empty where masses have none
+  std::vector<Rgba> colours;       ///< in place of the cloth's own; empty where masses have none
+  std::vector<SurfaceTint> tints;  ///< empty where all sheets have the look's colours
   SharedPlaces places;
   std::shared_ptr<const SpreadSheets> spread;
   SharedIndices indices;

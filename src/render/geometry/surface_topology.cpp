@@ -5,6 +5,7 @@
 
 #include "geometry/tears.h"
 #include "geometry/view_matrices.h"
+#include "render/appearance.h"
 
 namespace taut {
 namespace {
@@ -102,10 +103,15 @@ SurfacePlace place_on_sheet(const Cloth& cloth, std::size_t number, const glm::v
 Cloth cloth_of(const Model& model, const State& start, const Look& look, float pixels_a_metre) {
   Cloth cloth;
   cloth.sheets = sheet_lattices(model);
+  const std::vector<bool> drawn = appearance(model, look).sheets;
+  std::erase_if(cloth.sheets, [&](const SheetLattice& sheet) { return !drawn[sheet.number]; });
   cloth.fineness = fineness_for(cloth.sheets, pixels_a_metre);
   for (const SheetLattice& sheet : cloth.sheets) {
     cloth.units.push_back(units_per_cell(sheet, look));
     cloth.hems.push_back(hem_width(sheet, look));
+    if (!has_own_cloth_colours(look)) continue;
+    const ClothColours colours = cloth_colours(look, sheet.number);
+    cloth.tints.push_back({opaque(colours.front), opaque(colours.back)});
   }
   for (std::size_t mass = 0; mass < start.position.size(); ++mass)
     cloth.at_start.push_back(to_glm(start.position.at(mass)));

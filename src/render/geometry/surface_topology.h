@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/image.h"
+#include "geometry/colour_scale.h"
 #include "geometry/fineness.h"
 #include "geometry/sheet_lattice.h"
 #include "model/model.h"
@@ -26,6 +27,11 @@ struct SurfacePlace {
   glm::vec2 light;    ///< in places of the sheets spread out flat
 };
 using SharedPlaces = std::shared_ptr<const std::vector<SurfacePlace>>;
+
+/// The colours of both sides of the cloth at a vertex, as shaders/surface.vert reads them.
+struct SurfaceTint {
+  Rgba front, back;
+};
 
 /// The sheets of a model spread out flat below each other, to work out on them how much light arrives.
 struct SpreadSheets {
@@ -75,12 +81,13 @@ struct SurfaceTopology {
   std::vector<CutCorner> corners;
 };
 
-/// What never changes about a model's cloth.
+/// What never changes about the sheets of a model that are drawn as cloth.
 struct Cloth {
   std::vector<SheetLattice> sheets;
   Fineness fineness;
   std::vector<glm::vec2> units;     ///< of the pattern a cell, for each sheet
   std::vector<float> hems;          ///< m, how wide each sheet's hem is; 0: none
+  std::vector<SurfaceTint> tints;   ///< of each sheet; empty where all have the look's colours
   std::vector<glm::vec3> at_start;  ///< m, each mass, in the world's axes
   std::shared_ptr<const SpreadSheets> spread;
 };

@@ -48,6 +48,19 @@ GlObject framebuffer(const Gl& gl, const GlObject& colour, const GlObject* depth
   return made;
 }
 
+GLenum colour_format(int bits) {
+  return bits == 16 ? GL_RGBA16 : GL_RGBA8;
+}
+
+// From the share of a pixel that isn't covered to that which is: all bits the other way, whatever their
+// number.
+void turn_alpha_round(Image& image) {
+  const std::size_t bytes = image.bytes_of_pixel(), sample = bytes / 4;
+  for (std::size_t pixel = 0; pixel < image.pixels.size(); pixel += bytes)
+    for (std::size_t i = pixel + 3 * sample; i < pixel + bytes; ++i)
+      image.pixels[i] = static_cast<std::uint8_t>(255 - image.pixels[i]);
+}
+
 // Targets change in steps of the tiles in which Mesa's software drivers draw, so that seldom one is made
 // anew.
 int rounded_up(int side, int most) {
@@ -65,8 +78,8 @@ int samples_at_once(const Gl& gl, int wanted) {
                    std::to_string(most));
 }
 
-PictureTarget::PictureTarget(const Gl& gl, Size picture, int samples)
-    : gl_(&gl), picture_(picture), samples_(samples) {
+PictureTarget::PictureTarget(const Gl& gl, Size picture, int samples, int bits)
+    : gl_(&gl), picture_(picture), samples_(samples), bits_(bits) {
   check_side(gl, picture.width, "a picture width");
   check_side(gl, picture.height, "a picture height");
 }
@@ -75,7 +88,7 @@ void PictureTarget::make_room(Size size) {
   const Size wanted{rounded_up(size.width, picture_.width), rounded_up(size.height, picture_.height)};
   if (wanted.width == room_.width && wanted.height == room_.height) return;
   room_ = wanted;
-  colour_ = renderbuffer(*gl_, GL_RGBA8, room_, samples_);
+  colour_ = renderbuffer(*gl_, colour_format(bits_), room_, samples_);
   depth_ = renderbuffer(*gl_, GL_DEPTH_COMPONENT24, room_, samples_);
   framebuffer_ = framebuffer(*gl_, colour_, &depth_);
 }
@@ -98,14 +111,15 @@ void PictureTarget::begin(const Region& region, Alpha alpha) {
 
 Readback PictureTarget::end() {
   gl_->disable(GL_BLEND);
-  return {*gl_, framebuffer_, {region_.width, region_.height}, alpha_};
+  return {*gl_, framebuffer_, {region_.width, region_.height}, alpha_, bits_};
 }
 
-Readback::Readback(const Gl& gl, const GlObject& from, Size size, Alpha alpha)
+Readback::Readback(const Gl& gl, const GlObject& from, Size size, Alpha alpha, int bits)
     : gl_(&gl),
       size_(size),
       alpha_(alpha),
-      colour_(renderbuffer(gl, GL_RGBA8, size, 1)),
+      bits_(bits),
+      colour_(renderbuffer(gl, colour_format(bits), size, 1)),
       framebuffer_(framebuffer(gl, colour_, nullptr)) {
   gl.bind_framebuffer(GL_READ_FRAMEBUFFER, from.name());
   gl.blit_framebuffer(0, 0, size.width, size.height, 0, 0, size.width, size.height, GL_COLOR_BUFFER_BIT,
@@ -114,12 +128,12 @@ Readback::Readback(const Gl& gl, const GlObject& from, Size size, Alpha alpha)
 
 Image Readback::fetch() const {
   gl_->bind_framebuffer(GL_READ_FRAMEBUFFER, framebuffer_.name());
-  Image image = Image::blank(size_, 4);
+  Image image = Image::blank(size_, 4, bits_);
   gl_->pixel_store(GL_PACK_ALIGNMENT, 1);
-  gl_->read_pixels(0, 0, size_.width, size_.height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
+  gl_->read_pixels(0, 0, size_.width, size_.height, GL_RGBA,
+                   bits_ == 16 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_BYTE, image.pixels.data());
   check_gl(*gl_, "drawing a picture");
-  for (std::size_t i = 3; alpha_ == Alpha::share && i < image.pixels.size(); i += 4)
-    image.pixels[i] = static_cast<std::uint8_t>(255 - image.pixels[i]);
+  if (alpha_ == Alpha::share) turn_alpha_round(image);
   return image;
 }
 

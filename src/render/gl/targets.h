@@ -20,7 +20,7 @@ enum class Alpha { cover, share };
 class Readback {
  public:
   /// Of a framebuffer that is being drawn into.
-  Readback(const Gl& gl, const GlObject& framebuffer, Size size, Alpha alpha);
+  Readback(const Gl& gl, const GlObject& framebuffer, Size size, Alpha alpha, int bits);
 
   /// The part as it was drawn, samples averaged: RGBA, colour multiplied by alpha. Waits for it.
   Image fetch() const;
@@ -29,14 +29,15 @@ class Readback {
   const Gl* gl_;
   Size size_;
   Alpha alpha_;
+  int bits_;
   GlObject colour_, framebuffer_;
 };
 
 /// A part of a picture being drawn: colour and depth, one or several samples a pixel.
 class PictureTarget {
  public:
-  /// Throws BadRequest for a size that OpenGL can't draw.
-  PictureTarget(const Gl& gl, Size picture, int samples);
+  /// `bits`: of each channel, 8 or 16. Throws BadRequest for a size that OpenGL can't draw.
+  PictureTarget(const Gl& gl, Size picture, int samples, int bits);
 
   /// Directs drawing into this region of the picture, and empties it. Throws RunFailure when there is no
   /// memory for it.
@@ -50,7 +51,7 @@ class PictureTarget {
 
   const Gl* gl_;
   Size picture_, room_{0, 0};
-  int samples_;
+  int samples_, bits_;
   Region region_;
   Alpha alpha_ = Alpha::cover;
   GlObject colour_, depth_, framebuffer_;

@@ -23,11 +23,11 @@ std::map<std::string, Manifest> manifests_in(const std::filesystem::path& folder
 /// The name that a shard's manifest has: manifest.json where there is only one.
 std::string manifest_name(const Shard& shard);
 
-/// The file of a frame in a folder.
-std::filesystem::path frame_file(const std::filesystem::path& folder, int frame);
+/// The file of a frame of so many bits a channel in a folder.
+std::filesystem::path frame_file(const std::filesystem::path& folder, int frame, int bits);
 
-/// The numbers of the frames whose files are in a folder, rising.
-std::vector<int> frame_files_in(const std::filesystem::path& folder);
+/// The files of frames in a folder, of whatever kind, by their names.
+std::vector<std::filesystem::path> frame_files_in(const std::filesystem::path& folder);
 
 /// A folder of frames and the manifest that says what they were made from. Shards may fill one folder
 /// together, each with a manifest of its own.
@@ -45,13 +45,15 @@ class FrameFolder {
   /// What there is, and what it was made from.
   const Manifest& manifest() const { return manifest_; }
   bool has(int frame) const { return manifest_.frames.contains(frame); }
-  std::filesystem::path frame_file(int frame) const { return taut::frame_file(folder_, frame); }
+  std::filesystem::path frame_file(int frame) const {
+    return taut::frame_file(folder_, frame, manifest_.bits);
+  }
 
   /// Remembers a frame that something else has written.
   void add(int frame, const FrameRecord& record);
   /// Writes a frame's file and remembers what it shows. The manifest on disk follows now and then. Throws
   /// RunFailure.
-  void write(int frame, std::span<const std::uint8_t> png, const std::string& state_hash);
+  void write(int frame, std::span<const std::uint8_t> file, const std::string& state_hash);
 
   /// What a run that was stopped goes on from; nothing where there is none that fits what is there.
   std::optional<Checkpoint> checkpoint(std::span<const int> frames) const;

@@ -22,6 +22,10 @@ std::vector<int> select_frames(std::string_view text, int count);
 /// The frames 1 to count.
 std::vector<int> all_frames(int count);
 
+/// The rate at which a film of some frames plays as fast as one of all of them: of every n-th, an n-th of it.
+/// Where frames lie unevenly the shortest step counts, and longer ones are cuts.
+FrameRate rate_of_selection(const std::vector<int>& frames, const FrameRate& rate);
+
 /// The shortest text for rising numbers in which neighbours are joined: 1,2,3,5 gives "1-3,5".
 std::string selection_text(const std::vector<int>& frames);
 

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/image.h"
 #include "scene/scene.h"
@@ -27,7 +28,8 @@ class PictureNotes {
   std::optional<std::string> ground_;
   double out_since_ = 0.0;                    // s
   std::size_t most_out_ = 0, least_out_ = 0;  // masses
-  std::size_t masses_ = 0;
+  std::size_t masses_ = 0;                    // of those that are to be seen
+  std::vector<bool> seen_masses_;
   bool seen_any_ = false;
 };
 

@@ -54,6 +54,8 @@ struct SinusoidSpec {
   Vec3 amplitude = Vec3::Zero();   ///< m
   double angular_frequency = 0.0;  ///< rad/s
   double phase = 0.0;              ///< rad
+
+  bool operator==(const SinusoidSpec&) const = default;
 };
 
 /// How a solid is moved: one of the two, or neither.
@@ -69,6 +71,8 @@ struct MotionSpec {
   std::optional<SinusoidSpec> sinusoid{};
   std::vector<Knot> path{};
   std::string with{};  ///< the name of a solid that carries it
+
+  bool given() const { return sinusoid || !path.empty() || !with.empty(); }
 };
 
 /// How a solid turns about an axis: through angles at times, or at a rate.
@@ -105,14 +109,25 @@ struct LinkSpec {
   LinkProperties properties;
 };
 
-/// A straight row of links + 1 equal masses, named <name>.0 … <name>.<links>.
+/// How a chain is wound around a solid of its scene, touching it.
+struct WindingSpec {
+  std::string around;             ///< its name, or section and number, from 0: "sphere.0", "capsule.1"
+  double turns = 5.0;             ///< right-handed about the axis; below 0 the other way
+  double start = 0.1, end = 0.9;  ///< shares of the solid's length along its axis
+  Vec3 axis = Vec3::UnitY();      ///< of a sphere; a capsule has its own
+};
+
+/// A row of links + 1 equal masses, named <name>.0 … <name>.<links>: straight, or along points, or wound.
 struct ChainSpec {
   std::string name;
-  Vec3 from = Vec3::Zero();  ///< m
-  Vec3 to = Vec3::Zero();    ///< m
+  Vec3 from = Vec3::Zero();    ///< m, of a straight one
+  Vec3 to = Vec3::Zero();      ///< m, of a straight one
+  std::vector<Vec3> points{};  ///< m, along which it is laid, with links of one length
+  bool smooth = false;         ///< along a smooth curve through them, else straight from each to the next
+  std::optional<WindingSpec> wound = std::nullopt;
   int links = 1;
-  double length = 0.0;  ///< m, of the whole; 0: |to − from|. Longer: starts as a circular arc that sags along
-                        ///< gravity; shorter: starts stretched
+  double length = 0.0;  ///< m, of a straight one; 0: |to − from|. Longer: starts as a circular arc that sags
+                        ///< along gravity; shorter: starts stretched
   double mass = 1.0;                     ///< kg, of the whole, shared equally
   double last_mass = 0.0;                ///< kg; 0: the same as the others
   std::vector<std::string> pinned;       ///< "first", "last"
@@ -122,6 +137,8 @@ struct ChainSpec {
   bool collides = false;                                  ///< whether it touches other bodies that do so
   std::optional<double> first_release{}, last_release{};  ///< s, when the pins of the ends let go
   std::optional<BendingSpec> bending{};
+
+  bool straight() const { return points.empty() && !wound; }
 };
 
 /// One more family of links in a sheet, with properties of its own.
@@ -154,6 +171,9 @@ struct SheetSpec {
   HookSpec hooks;
   std::vector<std::string>
       pinned;  ///< "top", "bottom", "left", "right", "top-left", "top-right", "bottom-left", "bottom-right"
+  /// Of all masses of an edge that is pinned, alike; a path says where its first mass is, which is that of
+  /// the lowest row and column.
+  MotionSpec top_motion, bottom_motion, left_motion, right_motion;
   LinkProperties properties;        ///< of the links along rows and columns
   ExtraLinks diagonals;             ///< both diagonals of every cell
   ExtraLinks skip_one;              ///< from every mass to the next but one along rows and columns
@@ -163,6 +183,13 @@ struct SheetSpec {
   std::optional<double> release{};  ///< s, when all of its pins let go
   std::optional<SheetBendingSpec> bending{};
   std::optional<FacesSpec> faces{};  ///< absent: only its masses touch, as balls
+};
+
+/// Links from each of some masses to the nearest one of others, each as long as they are apart at the start.
+struct TieSpec {
+  std::string a, b;  ///< names; a part between dots may be *
+  int every = 1;     ///< of those that a names only every n-th; divides their number − 1
+  LinkProperties properties;
 };
 
 struct LoadSpec {
@@ -301,6 +328,7 @@ struct Description {
   double drag = 0.0;              ///< 1/s
   std::vector<MassSpec> masses;
   std::vector<LinkSpec> links;
+  std::vector<TieSpec> ties;
   std::vector<ChainSpec> chains;
   std::vector<SheetSpec> sheets;
   std::vector<LoadSpec> loads;
@@ -333,8 +361,8 @@ struct Built {
 };
 
 /// Validates a description and builds its model and the state at t = 0. Masses come in the order chains,
-/// sheets, ragdolls, masses; links in the order chains, sheets, ragdolls, links. All problems are reported at
-/// once.
+/// sheets, ragdolls, masses; links in the order chains, sheets, ragdolls, links, ties. All problems are
+/// reported at once.
 Built build(const Description& description);
 
 }  // namespace taut

@@ -110,12 +110,13 @@ struct Triangle {
   std::array<Index, 3> links;  ///< link along each edge, no_link where the edge is none
 };
 
-/// Where a sheet's masses and triangles lie in the arrays; masses are row after row.
+/// Where a sheet's masses, links and triangles lie in the arrays; masses are row after row.
 struct Sheet {
   std::string name;
   Index first_mass = 0;
   Index rows = 0, columns = 0;
   Index first_triangle = 0, triangle_count = 0;
+  Index first_link = 0, link_count = 0;
 };
 
 /// Where a chain's masses and links lie in the arrays, in order along the chain.
@@ -138,6 +139,12 @@ struct Ragdoll {
   Index first_link = 0, link_count = 0;
   Index first_bone = 0, bone_count = 0;
   Index first_limit = 0, limit_count = 0;
+};
+
+/// Where the masses and links that a scene names one by one lie in the arrays, in its order.
+struct Singles {
+  Index first_mass = 0, mass_count = 0;
+  Index first_link = 0, link_count = 0;
 };
 
 struct State;
@@ -163,6 +170,7 @@ struct Model {
   std::vector<Chain> chains;
   std::vector<Ragdoll> ragdolls;
   std::vector<Bone> bones;
+  Singles singles;
   std::vector<Index> breakable_links;  ///< those with a finite break_stretch or break_tension, or that
                                        ///< break at a time, in file order
 };

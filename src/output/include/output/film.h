@@ -14,11 +14,12 @@ namespace taut {
 
 /// A film to be made.
 struct FilmSettings {
-  std::filesystem::path file;  ///< its ending chooses the format: .mp4, .webm, .gif or .webp
+  std::filesystem::path file;  ///< its ending chooses the format: .mp4, .webm, .gif, .webp or .mov
   Size size;
   FrameRate rate;
   bool transparent = false;  ///< frames are RGBA instead of RGB
   int threads = 0;           ///< that the encoder may use; 0: as it likes
+  int bits = 8;              ///< of a frame's channels: 8 or 16
 };
 
 /// Whether a film of that name goes into a pipe or a device: "-" is standard output, "webm:-" says in which
@@ -26,7 +27,8 @@ struct FilmSettings {
 bool is_film_stream(const std::filesystem::path& name);
 bool goes_to_standard_output(const std::filesystem::path& name);
 
-/// Throws BadRequest when the format does not exist or can't hold films of that size or with transparency.
+/// Throws BadRequest when the format does not exist or can't hold films of that size, of that rate or with
+/// transparency.
 void check_film_settings(const FilmSettings& settings);
 
 /// A film that grows frame by frame, encoded by ffmpeg while it grows. It gets its name only at the end;

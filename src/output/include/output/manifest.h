@@ -40,6 +40,7 @@ struct Manifest {
   std::string halvings;  ///< which steps could only be made in parts, a sentence a run; empty where none
   std::string plan;      ///< why it was run with this method and these settings; empty where that was given
   Size size;
+  int bits = 8;  ///< of a channel of a picture: 8, in PNG files, or 16, in TIFF files
   double frames_per_second = 30.0;
   std::string frame_rate = "30";  ///< the same, exactly: FrameRate::text()
   int frame_count = 0;            ///< of the whole scene, whether they were asked for or not

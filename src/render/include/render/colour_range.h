@@ -16,8 +16,9 @@ class ColourRange {
   explicit ColourRange(ColourBy by) : by_(by) {}
 
   /// The values of a state: of its whole structural links, or for speed of its masses. What braces a sheet
-  /// against shear and bending stretches far more than its threads, and says less.
-  void add(const Model& model, const State& state);
+  /// against shear and bending stretches far more than its threads, and says less. What the look hides says
+  /// nothing.
+  void add(const Model& model, const State& state, const Look& look);
   void add(double value);
 
   /// The next round number at or above what 98 % stay below; 1 where no value is above zero.

@@ -25,6 +25,7 @@ struct RenderSettings {
   int samples = 4;             ///< a pixel: 1, 4 or 8
   int shadow_map_size = 1024;  ///< texels along a side; 0: no shadows
   bool transparent = false;    ///< no ground and no sky, but alpha: pictures are RGBA
+  int bits = 8;                ///< of each channel: 8 or 16
 };
 
 /// The settings of a quality: draft (640×360, one sample, no shadows), standard (1280×720, four samples) or

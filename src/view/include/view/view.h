@@ -37,6 +37,29 @@ inline constexpr std::array<std::string_view, 3> link_families{"structural", "di
 /// How many points a trail has of each second of a scene.
 inline constexpr double trail_points_a_second = 300.0;
 
+/// What an object may be drawn as; links and masses alone for chains, with `bones` for ragdolls and `surface`
+/// for sheets.
+inline constexpr std::array<std::string_view, 4> drawn_parts{"links", "masses", "surface", "bones"};
+
+/// How one object is drawn, where that is not as the rest. It changes nothing but pictures.
+struct ObjectLook {
+  bool visible = true;
+  std::optional<Colour> colour = std::nullopt;  ///< left out: the Look's for what it is
+  std::optional<Colour> back_colour =
+      std::nullopt;  ///< of a sheet; left out: darker than its own, or the Look's
+  std::optional<std::vector<std::string>> draw =
+      std::nullopt;  ///< out of drawn_parts; left out: as the Look says
+
+  /// Whether anything of it is to be seen.
+  bool shown() const { return visible && !(draw && draw->empty()); }
+};
+
+/// Those of a scene's objects, kind by kind in the order of the scene; what is beyond the end of a list is
+/// drawn as the rest.
+struct ObjectLooks {
+  std::vector<ObjectLook> chains, sheets, ragdolls, masses, links, planes, spheres, capsules, boxes;
+};
+
 /// What is drawn and how.
 struct Look {
   bool masses = true;
@@ -78,6 +101,7 @@ struct Look {
   std::vector<std::array<double, 2>> speed;
   Colour bone_colour{0.86, 0.74, 0.60};  ///< of one body; several have hues around it
   Colour collider_colour{0.62, 0.64, 0.67};
+  ObjectLooks objects{};  ///< written with the objects themselves
 };
 
 /// Where the picture is taken from. What is left out is settled before anything is drawn, so that all of the

@@ -1,0 +1,68 @@
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/supports.h"
+#include "geometry/view_matrices.h"
+
+namespace taut {
+namespace {
+
+double drawn_pin_radius(const Model& model, const Look& look, const Radii& radii) {
+  double largest = look.links ? radii.link : 0.0;
+  if (!look.masses) return largest;
+  for (std::size_t i = 0; i < model.masses.size(); ++i)
+    if (model.masses.pinned(i))
+      largest = std::max(largest, model.masses.radius[i] > 0.0 ? model.masses.radius[i] : radii.mass);
+  return largest;
+}
+
+Colour colour_of(Material material, Theme theme) {
+  if (theme == Theme::dark)
+    return material == Material::wood ? Colour{0.52, 0.44, 0.36} : Colour{0.56, 0.58, 0.61};
+  return material == Material::wood ? Colour{0.52, 0.43, 0.34} : Colour{0.46, 0.48, 0.51};
+}
+
+void add_part(Bodies& bodies, const SupportPart& part, const PictureSpace& space, const Vec3& origin,
+              Theme theme) {
+  TaperedRod rod =
+      tapered_rod(origin + space.direction(part.start), part.start_radius, origin + space.direction(part.end),
+                  part.end_radius, colour_of(part.material, theme));
+  rod.squeeze = to_glm(space.direction(part.squeeze));
+  bodies.rods.push_back(rod);
+}
+
+}  // namespace
+
+SceneSupports::SceneSupports(const Model& model, const State& start, const Look& look, const Radii& radii,
+                             const Appearance& appearance)
+    : model_(&model),
+      start_(start),
+      look_(look),
+      pin_radius_(drawn_pin_radius(model, look, radii)),
+      seen_(appearance.there) {}
+
+const Supports& SceneSupports::seen_with(const Vec3& up) {
+  if (up != up_) {
+    const std::vector<Ground> grounds = drawn_grounds(*model_, look_, up);
+    supports_ = supports(*model_, start_, {up, grounds, pin_radius_, &seen_});
+    up_ = up;
+  }
+  return supports_;
+}
+
+void add_supports(Bodies& bodies, const Supports& supports, const PictureSpace& space, const State& seen,
+                  Theme theme) {
+  for (const SupportPart& part : supports.fixed) {
+    // Seen from its start, which is near: far from the world's origin differences keep their digits.
+    SupportPart from_start = part;
+    from_start.start = Vec3::Zero();
+    from_start.end = part.end - part.start;
+    add_part(bodies, from_start, space, space.place(part.start), theme);
+  }
+  for (const Box& beam : supports.beams)
+    add_shape(bodies, space.seen(Shape(beam)), colour_of(Material::wood, theme));
+  for (const CarriedPart& carried : supports.carried)
+    add_part(bodies, carried.part, space, seen.position.at(carried.mass), theme);
+}
+
+}  // namespace taut
