@@ -9,6 +9,7 @@
 #include "base/failure.h"
 #include "breaking.h"
 #include "energy_guard.h"
+#include "fastest_solid.h"
 #include "methods/breaking.h"
 #include "methods/registry.h"
 #include "model/parts.h"
@@ -70,6 +71,7 @@ Run::Run(const Model& model, const State& start, const Settings& settings, const
       policy_(policy),
       steps_per_second_(method_.can.chooses_steps ? 0.0 : settings_.steps_per_second()),
       start_time_(start.time),
+      fastest_solid_(fastest_solid(model, start)),
       energy_base_{energy(model, start), energy_scale(model, start)},
       stepper_(method_.make(model, settings_, execution)),
       ledger_(model, saved.state, saved.work),
@@ -333,7 +335,7 @@ void Run::break_links(const std::vector<Index>& links, StepReport& report) {
 }
 
 double Run::energy_at_hand() const {
-  const double mass = free_mass(*model_), pin = work().fastest_pin;
+  const double mass = free_mass(*model_), pin = std::max(work().fastest_pin, fastest_solid_);
   double energy = energy_base_.scale + mass * pin * pin + std::max(0.0, work().loads);
   if (model_->wind) energy += mass * wind_at(*model_->wind, state().time).squaredNorm();
   return energy;

@@ -75,7 +75,7 @@ std::string scene_with_a_jumping_pin() {
 name = "hand"
 position = [0, 1, 0]
 pinned = true
-motion = { path = [[0.5, 0, 1, 0], [0.5001, 9, 1, 0]] }
+motion = { path = [[0.5, 0, 1, 0], [0.5012, 9, 1, 0]] }
 [[link]]
 a = "hand"
 b = "bob"

@@ -63,8 +63,8 @@ class Run {
   /// Why the run has ended, as a sentence that names time, step and link; empty while it
   /// goes on.
   std::string failure() const;
-  /// The energy (J) that the masses' motion is measured by: that of the scene, and what pins, loads and wind
-  /// may have given to it.
+  /// The energy (J) that the masses' motion is measured by: that of the scene, and what pins, solids that
+  /// move, loads and wind may have given to it.
   double energy_at_hand() const;
 
   /// A state as reports show it: velocities projected onto what links allow where the method keeps half a
@@ -105,6 +105,7 @@ class Run {
   RunPolicy policy_;
   double steps_per_second_;  // 0 where the method chooses its steps
   double start_time_;
+  double fastest_solid_;  // m/s, at any time
   EnergyBase energy_base_;
   std::unique_ptr<Stepper> stepper_;
   WorkLedger ledger_;
