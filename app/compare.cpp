@@ -10,6 +10,7 @@
 #include "command_line.h"
 #include "flags.h"
 #include "frames/colouring.h"
+#include "interrupted.h"
 #include "output_flags.h"
 #include "verbs.h"
 

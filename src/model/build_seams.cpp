@@ -55,6 +55,7 @@ class SeamBuilder {
     const auto found = std::ranges::find(sheets, spec.sheet, &Sheet::name);
     if (found == sheets.end()) {
       std::vector<std::string_view> names;
+      names.reserve(sheets.size());
       for (const Sheet& sheet : sheets) names.emplace_back(sheet.name);
       report("sheet", fmt::format("no sheet is named \"{}\"", spec.sheet),
              std::string(nearest_name(spec.sheet, names)));

@@ -35,6 +35,7 @@ Vec3 centre_of(const BoxSpec& spec) {
 
 Path turning_path(const std::vector<std::array<double, 2>>& angles) {
   std::vector<Knot> knots;
+  knots.reserve(angles.size());
   for (const auto& [time, angle] : angles) knots.push_back({time, Vec3(angle * degree, 0.0, 0.0)});
   return make_path(std::move(knots));
 }

@@ -89,7 +89,7 @@ double fitting_chord(const std::vector<Vec3>& line, int chords) {
 std::vector<Vec3> smooth_curve(const std::vector<Vec3>& points) {
   std::vector<Vec3> curve{points.front()};
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    const Vec3 b = points[i], c = points[i + 1];
+    const Vec3 &b = points[i], &c = points[i + 1];
     const Vec3 a = i > 0 ? points[i - 1] : Vec3(2.0 * b - c);
     const Vec3 d = i + 2 < points.size() ? points[i + 2] : Vec3(2.0 * c - b);
     for (int piece = 1; piece < pieces_a_span; ++piece)

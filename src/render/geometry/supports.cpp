@@ -211,6 +211,7 @@ class SupportMaker {
   // A bar along an edge that moves along with it.
   void carry_bar(const std::vector<const SupportedPin*>& pins) {
     std::vector<Vec3> places;
+    places.reserve(pins.size());
     for (const SupportedPin* pin : pins) places.push_back(pin->at);
     const std::optional<Stretch> line = line_through(places);
     if (!line) return;

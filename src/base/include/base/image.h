@@ -28,7 +28,9 @@ struct Image {
                  bits};
   }
 
-  std::size_t bytes_of_pixel() const { return static_cast<std::size_t>(channels * (bits / 8)); }
+  std::size_t bytes_of_pixel() const {
+    return static_cast<std::size_t>(channels) * static_cast<std::size_t>(bits / 8);
+  }
 };
 
 }  // namespace taut
