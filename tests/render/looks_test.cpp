@@ -262,8 +262,8 @@ TEST(Looks, WhatIsHiddenDoesNotStretchTheScale) {
 
 TEST(Looks, PinsOfWhatIsHiddenHaveNoSupports) {
   const auto parts = [](const std::vector<std::string>& sets) {
-    const Geometry& shape = *shape_of(looks(sets));
-    return shape.bodies.rods.size() + shape.bodies.boxes.size();
+    const auto shape = shape_of(looks(sets));
+    return shape->bodies.rods.size() + shape->bodies.boxes.size();
   };
   EXPECT_GT(parts({}), parts({"chain.left.visible=false"}));
   EXPECT_EQ(parts({"chain.*.visible=false", "sheet.*.visible=false"}), 1U) << "the sphere";
