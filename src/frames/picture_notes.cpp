@@ -46,13 +46,13 @@ std::size_t masses_outside(const Scene& scene, const std::vector<bool>& seen_mas
 
 }  // namespace
 
-std::optional<std::string> ground_note(const Scene& scene, const State& state) {
+std::optional<std::string> ground_note(const Scene& scene, const std::vector<bool>& seen,
+                                       const State& state) {
   const CameraPose pose = camera_pose(scene.camera, scene.model, scene.start, state);
   for (const Ground& ground : drawn_grounds(scene.model, scene.look, pose.up)) {
     const auto height = [&](const Vec3& place) { return ground.normal.dot(place - ground.point); };
     if (ground.solid || height(pose.eye) <= 0.0) continue;
     const double rounding = 1e-9 * scene_size(scene.model, scene.start);
-    const std::vector<bool> seen = masses_in_view(scene.model, scene.look);
     std::size_t below = 0;
     for (std::size_t i = 0; i < state.position.size(); ++i)
       if (seen[i] && height(state.position.at(i)) < -rounding) ++below;
@@ -67,10 +67,12 @@ std::optional<std::string> ground_note(const Scene& scene, const State& state) {
 }
 
 void PictureNotes::see(const Scene& scene, Size size, bool ground, const State& state) {
-  if (ground && !ground_) ground_ = ground_note(scene, state);
-  if (seen_masses_.empty()) seen_masses_ = masses_in_view(scene.model, scene.look);
+  if (seen_masses_.empty()) {
+    seen_masses_ = masses_in_view(scene.model, scene.look);
+    masses_ = static_cast<std::size_t>(std::ranges::count(seen_masses_, true));
+  }
+  if (ground && !ground_) ground_ = ground_note(scene, seen_masses_, state);
   const std::size_t outside = masses_outside(scene, seen_masses_, size, state);
-  masses_ = static_cast<std::size_t>(std::ranges::count(seen_masses_, true));
   least_out_ = seen_any_ ? std::min(least_out_, outside) : outside;
   seen_any_ = true;
   if (outside > 0 && most_out_ == 0) out_since_ = state.time;

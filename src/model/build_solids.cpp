@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "builder.h"
 
@@ -140,6 +142,21 @@ void add_solids(Builder& builder, const Description& description) {
   add_colliders(builder, description.spheres);
   add_colliders(builder, description.capsules);
   add_colliders(builder, description.boxes);
+}
+
+// In the order in which add_solids() has them.
+SolidEntry solid_entry(const Description& description, std::size_t collider) {
+  const std::array<std::pair<std::string_view, std::size_t>, 4> sections{{
+      {"plane", description.planes.size()},
+      {"sphere", description.spheres.size()},
+      {"capsule", description.capsules.size()},
+      {"box", description.boxes.size()},
+  }};
+  for (const auto& [section, count] : sections) {
+    if (collider < count) return {section, collider};
+    collider -= count;
+  }
+  return {};
 }
 
 void add_contact_points(Builder& builder) {

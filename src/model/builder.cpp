@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <utility>
 
 namespace taut {
@@ -108,6 +109,11 @@ void Builder::add_bend(Bend bend, bool from_start) {
   if (bend.stiffness == 0.0) return;
   if (from_start) bend.rest = bend_gradients(bend, start.position).angle;
   model.bends.push_back(bend);
+}
+
+const Builder::Entry& Builder::entry_of(Index link) const {
+  const auto after = std::ranges::upper_bound(entries, link, {}, &Entry::first_link);
+  return *std::prev(after);
 }
 
 void Builder::add_bone(const Bone& bone) {

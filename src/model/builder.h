@@ -57,6 +57,8 @@ class Builder {
     Index first_link;
   };
   std::vector<Entry> entries;
+  /// The entry that a link comes from.
+  const Entry& entry_of(Index link) const;
 
  private:
   Change& change_at(double time);
@@ -90,6 +92,13 @@ void add_limits(Builder& builder, const Description& description, const MassesBy
 
 /// Adds what masses can hit: before the pins that solids carry.
 void add_solids(Builder& builder, const Description& description);
+
+/// The entry of a description that a collider comes from, and which of its section's it is.
+struct SolidEntry {
+  std::string_view section;
+  std::size_t index = 0;
+};
+SolidEntry solid_entry(const Description& description, std::size_t collider);
 
 /// Adds what of the masses and bones touches solids or each other: after all of them.
 void add_contact_points(Builder& builder);

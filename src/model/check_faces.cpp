@@ -64,17 +64,8 @@ class FaceStart {
   }
 
   std::string solid_name(std::size_t collider) const {
-    std::size_t index = collider;
-    const auto in = [&](std::string_view section, std::size_t count) -> std::string {
-      if (index < count) return fmt::format("the [[{}]] number {}", section, index + 1);
-      index -= count;
-      return {};
-    };
-    for (const auto& [section, count] :
-         {std::pair{"plane", description_.planes.size()}, std::pair{"sphere", description_.spheres.size()},
-          std::pair{"capsule", description_.capsules.size()}, std::pair{"box", description_.boxes.size()}})
-      if (std::string name = in(section, count); !name.empty()) return name;
-    return "a solid";
+    const auto [section, index] = solid_entry(description_, collider);
+    return fmt::format("the [[{}]] number {}", section, index + 1);
   }
 
   template <std::size_t count>

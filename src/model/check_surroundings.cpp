@@ -17,10 +17,8 @@ void check_rotation(Checker& check, const RotationSpec& rotation) {
                 "rotation: rise is how long a \"rate\" takes to be reached; angles have their own times");
   double last = -infinity;
   for (const auto& [time, angle] : rotation.angle) {
-    check.require(std::isfinite(time) && time > last, "rotation",
-                  "rotation: times of \"angle\" must increase");
+    check.later(time, last, "rotation", "rotation: times of \"angle\"");
     check.require(std::isfinite(angle), "rotation", "rotation: angle must have finite numbers");
-    last = time;
   }
 }
 

@@ -79,6 +79,11 @@ class Checker {
     require(properties.scatter_seed >= 0, key("scatter_seed"),
             fmt::format("scatter_seed must be 0 or more, not {}", properties.scatter_seed));
   }
+  /// Of the times of a list, one after another; `last` is -infinity before the first.
+  void later(double time, double& last, std::string_view key, std::string_view what) {
+    require(std::isfinite(time) && time > last, key, fmt::format("{} must increase", what));
+    last = time;
+  }
   void release(const std::optional<double>& time, bool pinned, std::string_view key) {
     if (!time) return;
     positive(*time, key, "s");
@@ -100,9 +105,8 @@ class Checker {
     }
     double last = -infinity;
     for (const Knot& knot : path) {
-      require(std::isfinite(knot.time) && knot.time > last, key, fmt::format("{}: times must increase", key));
+      later(knot.time, last, key, fmt::format("{}: times", key));
       finite(knot.position, key);
-      last = knot.time;
     }
     for (std::size_t i = 1; i < path.size(); ++i) no_jump(path[i - 1], path[i], key);
   }

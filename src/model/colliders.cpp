@@ -63,13 +63,6 @@ Shape shape_at(const Collider& collider, double time) {
   return collider.motion ? moved(collider.shape, placement_at(*collider.motion, time)) : collider.shape;
 }
 
-Vec3 place_of(const ContactPoint& point, const Vectors& position) {
-  Vec3 sum = Vec3::Zero();
-  for (std::size_t k = 0; k < point.masses.size(); ++k)
-    sum += point.weights[k] * position.at(point.masses[k]);
-  return sum;
-}
-
 Surface nearest_surface(const Shape& shape, const Vec3& point) {
   return std::visit([&point](const auto& solid) { return surface_of(solid, point); }, shape);
 }

@@ -30,7 +30,7 @@ void find_crowds(const Builder& builder, const Description& description, std::ve
   for (const ContactPoint& point : builder.model.contacts) {
     if (point.body == no_body) continue;
     balls.push_back({point.radius, point.body});
-    places.push_back(place_of(point, builder.start.position));
+    places.push_back(value_at(point, builder.start.position));
     masses.push_back(point.masses[0]);
   }
   NearBalls::Pairs pairs;

@@ -57,14 +57,6 @@ class WrongLengths {
   const State& start_;
 };
 
-// The entry that a link comes from.
-const Builder::Entry& entry_of(const Builder& builder, Index link) {
-  const auto after =
-      std::upper_bound(builder.entries.begin(), builder.entries.end(), link,
-                       [](Index at, const Builder::Entry& entry) { return at < entry.first_link; });
-  return *std::prev(after);
-}
-
 // A note on the tautest way from pin to pin that has no slack, if there is one.
 void find_taut_way(const Builder& builder, std::vector<Problem>& notes) {
   const Model& model = builder.model;
@@ -80,7 +72,7 @@ void find_taut_way(const Builder& builder, std::vector<Problem>& notes) {
     tautest = way;
   });
   if (tautest.length == 0.0) return;
-  const Builder::Entry& entry = entry_of(builder, tautest.link);
+  const Builder::Entry& entry = builder.entry_of(tautest.link);
   const std::string which = fmt::format("the rigid links from pin \"{}\" to pin \"{}\"",
                                         model.masses.name[tautest.from], model.masses.name[tautest.to]);
   const double apart = tautest.length / least;
@@ -127,30 +119,6 @@ void find_break_stretch(const Description& description, std::vector<Problem>& no
 }
 
 }  // namespace
-
-void find_overreach(const Builder& builder, std::vector<Problem>& problems) {
-  const Model& model = builder.model;
-  for (const Limit& limit : model.limits) {
-    if (limit.kind != LimitKind::reach || limit.compliance > 0.0) continue;
-    const double distance = link_distance(model, builder.start.position, limit.link);
-    const double strain = model.links.strain(limit.link, distance);
-    if (!(std::abs(strain) > alike)) continue;
-    const Builder::Entry& entry = entry_of(builder, limit.link);
-    const FreeRange& range = model.links.free_range[limit.link];
-    const auto& names = model.masses.name;
-    problems.push_back(
-        {std::string(entry.section), entry.index, "acts",
-         strain > 0.0
-             ? fmt::format("at the start \"{}\" and \"{}\" are {:.6g} m apart, and their link, which is "
-                           "rigid, lets them be {:.6g} m at most",
-                           names[limit.masses[0]], names[limit.masses[1]], distance, range.longest)
-             : fmt::format("at the start \"{}\" and \"{}\" are {:.6g} m apart, and their link, which is "
-                           "rigid, lets them be {:.6g} m at least",
-                           names[limit.masses[0]], names[limit.masses[1]], distance, range.shortest),
-         ""});
-    return;  // one tells of its kind
-  }
-}
 
 std::vector<Problem> find_notes(const Description& description, const Builder& builder) {
   constexpr std::size_t most = 20;  // entries told of links that start wrong

@@ -68,12 +68,11 @@ void check_hooks(Checker& check, const SheetSpec& sheet) {
       "hooks.draw must begin at 0 s or later: the pleats at the start are those of its first share");
   double last = -infinity;
   for (const auto& [time, share] : hooks.draw) {
-    check.require(std::isfinite(time) && time > last, "hooks", "hooks.draw: times must increase");
+    check.later(time, last, "hooks", "hooks.draw: times");
     check.require(
         std::isfinite(share) && share > 0.0 && share <= sheet.fullness, "hooks",
         fmt::format("hooks.draw: the share of the rail must be above 0 and at most the fullness {}, not {}",
                     sheet.fullness, share));
-    last = time;
   }
 }
 

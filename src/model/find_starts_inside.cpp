@@ -1,8 +1,5 @@
 #include <fmt/format.h>
 
-#include <array>
-#include <utility>
-
 #include "builder.h"
 #include "model/measures.h"
 
@@ -10,21 +7,6 @@ namespace taut {
 namespace {
 
 constexpr double noticeable = 1e-3;  // of the scene's size, that something may be inside
-
-// The entry of a description that a collider comes from: add_solids() has them in this order.
-std::pair<std::string, std::size_t> solid_entry(const Description& description, std::size_t collider) {
-  const std::array<std::pair<std::string_view, std::size_t>, 4> sections{{
-      {"plane", description.planes.size()},
-      {"sphere", description.spheres.size()},
-      {"capsule", description.capsules.size()},
-      {"box", description.boxes.size()},
-  }};
-  for (const auto& [section, count] : sections) {
-    if (collider < count) return {std::string(section), collider};
-    collider -= count;
-  }
-  return {};
-}
 
 bool is_held(const Model& model, const ContactPoint& point) {
   for (std::size_t k = 0; k < point.masses.size(); ++k)
@@ -44,10 +26,10 @@ void find_starts_inside(const Builder& builder, const Description& description,
     for (const ContactPoint& point : model.contacts) {
       if (is_held(model, point)) continue;
       const double depth =
-          point.radius - nearest_surface(shape, place_of(point, builder.start.position)).distance;
+          point.radius - nearest_surface(shape, value_at(point, builder.start.position)).distance;
       if (!(depth > allowed)) continue;
       const auto [section, index] = solid_entry(description, i);
-      problems.push_back({section, index, "",
+      problems.push_back({std::string(section), index, "",
                           fmt::format("it moves, and at the start \"{}\" is {:.4g} m inside it",
                                       model.masses.name[point.masses[0]], depth),
                           ""});

@@ -53,19 +53,6 @@ Eigen::Matrix3d cone_frame(const Limit& limit, const Vectors& position) {
   return frame_axes(position.at(limit.masses[0]), position.at(limit.masses[1]), position.at(limit.masses[2]));
 }
 
-// θ = atan2(|a × c|, a·c). Moving a across its lever, away from c, opens the angle by 1/|a| a metre.
-LimitAngle angle_gradients(const Limit& limit, const Vectors& position) {
-  const Vec3 b = position.at(limit.masses[1]);
-  const Vec3 a = position.at(limit.masses[0]) - b, c = position.at(limit.masses[2]) - b;
-  const Vec3 n = turning_axis(a, c);
-  LimitAngle result;
-  result.angle = angle_between(a, c);
-  result.gradient[0] = per_square(a.cross(n), a);
-  result.gradient[2] = per_square(n.cross(c), c);
-  result.gradient[1] = -result.gradient[0] - result.gradient[2];
-  return result;
-}
-
 // Only what is across the axis e = (q − p)/|q − p| counts: a⊥ = a − e (e·a), and the bend is the turn from
 // −a⊥ to c⊥ about e. Tilting e by δe changes a⊥ as moving a by −δe (e·a) would, and so
 //   ∇q = −((e·a) ∇a + (e·c) ∇c)/|q − p| = −∇p.
@@ -121,6 +108,10 @@ LimitAngle reach_gradients(const Limit& limit, const Vectors& position) {
   return result;
 }
 
+std::array<Index, 3> first_three(const Limit& limit) {
+  return {limit.masses[0], limit.masses[1], limit.masses[2]};
+}
+
 void gather_repeated(const Limit& limit, LimitAngle& result) {
   for (std::size_t i = 1; i < limit.count; ++i)
     for (std::size_t first = 0; first < i; ++first) {
@@ -142,12 +133,28 @@ Eigen::Matrix3d frame_axes(const Vec3& o, const Vec3& p, const Vec3& q) {
   return axes;
 }
 
+double corner_angle(const std::array<Index, 3>& masses, const Vectors& position) {
+  const Vec3 b = position.at(masses[1]);
+  return angle_between(position.at(masses[0]) - b, position.at(masses[2]) - b);
+}
+
+// θ = atan2(|a × c|, a·c). Moving a across its lever, away from c, opens the angle by 1/|a| a metre.
+LimitAngle corner_gradients(const std::array<Index, 3>& masses, const Vectors& position) {
+  const Vec3 b = position.at(masses[1]);
+  const Vec3 a = position.at(masses[0]) - b, c = position.at(masses[2]) - b;
+  const Vec3 n = turning_axis(a, c);
+  LimitAngle result;
+  result.angle = angle_between(a, c);
+  result.gradient[0] = per_square(a.cross(n), a);
+  result.gradient[2] = per_square(n.cross(c), c);
+  result.gradient[1] = -result.gradient[0] - result.gradient[2];
+  return result;
+}
+
 double limit_angle(const Limit& limit, const Vectors& position) {
   switch (limit.kind) {
-    case LimitKind::angle: {
-      const Vec3 b = position.at(limit.masses[1]);
-      return angle_between(position.at(limit.masses[0]) - b, position.at(limit.masses[2]) - b);
-    }
+    case LimitKind::angle:
+      return corner_angle(first_three(limit), position);
     case LimitKind::hinge:
       return bend(hinge_levers(limit, position));
     case LimitKind::cone:
@@ -162,7 +169,7 @@ LimitAngle limit_gradients(const Limit& limit, const Vectors& position) {
   LimitAngle result;
   switch (limit.kind) {
     case LimitKind::angle:
-      result = angle_gradients(limit, position);
+      result = corner_gradients(first_three(limit), position);
       break;
     case LimitKind::hinge:
       result = hinge_gradients(limit, position);

@@ -155,7 +155,7 @@ double deepest_penetration(const Model& model, const State& state) {
   std::vector<Shape> shapes;
   for (const Collider& collider : model.colliders) shapes.push_back(shape_at(collider, state.time));
   for (const ContactPoint& point : model.contacts) {
-    const Vec3 place = place_of(point, state.position);
+    const Vec3 place = value_at(point, state.position);
     for (const Shape& shape : shapes)
       deepest = std::max(deepest, point.radius - nearest_surface(shape, place).distance);
   }

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/measures.h"
-
 namespace taut {
 namespace {
 
@@ -30,36 +28,42 @@ double fastest(const Path& way) {
   return beyond_looks * most;
 }
 
-// How far from what it turns about a solid reaches.
-double reach(const Sphere& sphere, const Vec3& about, double /*scene*/) {
-  return (sphere.centre - about).norm() + sphere.radius;
-}
-double reach(const Capsule& capsule, const Vec3& about, double /*scene*/) {
-  return std::max((capsule.a - about).norm(), (capsule.b - about).norm()) + capsule.radius;
-}
-double reach(const Box& box, const Vec3& about, double /*scene*/) {
-  return (box.centre - about).norm() + box.half_size.norm();
-}
-// A plane has no end: as far as masses are, and their links.
-double reach(const HalfSpace& /*plane*/, const Vec3& /*about*/, double scene) {
-  return scene;
-}
+// How far (m) from what it turns about a solid's surface reaches where masses can be.
+class Reach {
+ public:
+  Reach(const Model& model, const State& start, const Vec3& about)
+      : model_(model), start_(start), about_(about) {}
+
+  double operator()(const Sphere& sphere) const { return (sphere.centre - about_).norm() + sphere.radius; }
+  double operator()(const Capsule& capsule) const {
+    return std::max((capsule.a - about_).norm(), (capsule.b - about_).norm()) + capsule.radius;
+  }
+  double operator()(const Box& box) const { return (box.centre - about_).norm() + box.half_size.norm(); }
+  // A plane has no end: as far as masses are, and their links.
+  double operator()(const HalfSpace& /*plane*/) const {
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < start_.position.size(); ++i)
+      farthest = std::max(farthest, (start_.position.at(i) - about_).norm());
+    return farthest + total_link_length(model_);
+  }
+
+ private:
+  const Model& model_;
+  const State& start_;
+  Vec3 about_;
+};
 
 }  // namespace
 
 double fastest_solid(const Model& model, const State& start) {
-  const double links = total_link_length(model);
+  const auto speed = [](const auto& part) { return fastest(part); };
   double most = 0.0;
   for (const Collider& collider : model.colliders) {
     if (!collider.motion) continue;
     const SolidMotion& motion = *collider.motion;
-    double masses = links;
-    for (std::size_t i = 0; i < start.position.size(); ++i)
-      masses = std::max(masses, (start.position.at(i) - motion.centre).norm() + links);
-    const double arm =
-        std::visit([&](const auto& shape) { return reach(shape, motion.centre, masses); }, collider.shape);
-    const auto speed = [](const auto& part) { return fastest(part); };
-    most = std::max(most, std::visit(speed, motion.way) + arm * std::visit(speed, motion.turn));
+    const double turning = std::visit(speed, motion.turn);
+    const double reach = turning > 0.0 ? std::visit(Reach(model, start, motion.centre), collider.shape) : 0.0;
+    most = std::max(most, std::visit(speed, motion.way) + reach * turning);
   }
   return most;
 }

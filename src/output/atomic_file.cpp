@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -13,6 +12,7 @@
 #include <utility>
 
 #include "base/failure.h"
+#include "output/file_lock.h"
 
 namespace taut {
 namespace {
@@ -37,25 +37,17 @@ bool is_temporary_name(std::string_view name) {
   return dot > 0 && !number.empty() && number.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-// Tells the running from the dead: the system takes the lock away with the process that holds it, however it
-// ended. False where another has it. Where the file system knows no locks nothing is ever swept.
-bool lock_alone(int descriptor, bool wait) {
-  int result = 0;
-  while ((result = ::flock(descriptor, wait ? LOCK_EX : LOCK_EX | LOCK_NB)) != 0 && errno == EINTR) {
-  }
-  return result == 0;
-}
-
 bool still_has_a_name(int descriptor) {
   struct stat status {};
   return ::fstat(descriptor, &status) == 0 && status.st_nlink > 0;
 }
 
-// False where it is being written, or can't be taken away.
+// False where it is being written, or can't be taken away; where the file system knows no locks nothing is
+// ever swept.
 bool sweep_unless_locked(const std::filesystem::path& file) {
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   if (descriptor < 0) return false;
-  const bool swept = lock_alone(descriptor, false) && ::unlink(file.c_str()) == 0;
+  const bool swept = lock_file(descriptor, LockWait::none) && ::unlink(file.c_str()) == 0;
   ::close(descriptor);
   return swept;
 }
@@ -83,7 +75,7 @@ void PendingFile::create() {
     if (descriptor_ < 0 && errno == EEXIST && sweep_unless_locked(temporary_)) continue;
     if (descriptor_ < 0) cannot_write(final_, errno);
     // Until it is locked a sweep may take it for a leftover.
-    if (!lock_alone(descriptor_, true) || still_has_a_name(descriptor_)) return;
+    if (!lock_file(descriptor_, LockWait::for_ever) || still_has_a_name(descriptor_)) return;
     ::close(descriptor_);
   }
 }

@@ -2,17 +2,15 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <chrono>
 #include <string_view>
 #include <system_error>
-#include <thread>
 
 #include "base/failure.h"
+#include "output/file_lock.h"
 
 namespace taut {
 namespace {
@@ -27,21 +25,11 @@ bool still_has_its_name(int descriptor, const std::filesystem::path& file) {
 
 }  // namespace
 
-bool lock_file(int descriptor) {
-  constexpr int tries = 40;
-  constexpr std::chrono::milliseconds between{50};
-  for (int i = 1;; ++i) {
-    if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return true;
-    if ((errno != EWOULDBLOCK && errno != EINTR) || i == tries) return false;
-    std::this_thread::sleep_for(between);
-  }
-}
-
 FolderLock::FolderLock(const std::filesystem::path& folder, std::string_view name) : file_(folder / name) {
   constexpr mode_t everyone_as_umask_allows = 0666;
   for (;;) {
     descriptor_ = ::open(file_.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, everyone_as_umask_allows);
-    if (descriptor_ >= 0 && lock_file(descriptor_)) {
+    if (descriptor_ >= 0 && lock_file(descriptor_, LockWait::a_while)) {
       if (still_has_its_name(descriptor_, file_)) {
         goes_away_.emplace([name = file_] { ::unlink(name.c_str()); });
         return;

@@ -14,7 +14,7 @@
 
 #include "base/failure.h"
 #include "base/hash.h"
-#include "output/folder_lock.h"
+#include "output/file_lock.h"
 #include "output/packed.h"
 
 namespace taut {
@@ -111,7 +111,7 @@ MotionWriter::~MotionWriter() {
 }
 
 void MotionWriter::open(std::string_view header, bool overwrite) {
-  if (!lock_file(descriptor_)) {
+  if (!lock_file(descriptor_, LockWait::a_while)) {
     if (errno != EWOULDBLOCK) motion_file_fails(file_, "lock", errno);
     throw RunFailure(fmt::format("another taut is working on {}", file_.string()));
   }

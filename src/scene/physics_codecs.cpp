@@ -61,93 +61,10 @@ const Keys<WrittenMotion>& motion_keys() {
   return keys;
 }
 
-const Keys<RotationSpec>& rotation_keys() {
-  static const Keys<RotationSpec> keys{
-      key<RotationSpec>(
-          "axis", &RotationSpec::axis,
-          {.range = between(-far, far), .required = true, .help = "of any length but 0; right-handed"}),
-      key<RotationSpec>("through", &RotationSpec::through,
-                        {.unit = "m",
-                         .range = between(-far, far),
-                         .fallback = "its centre",
-                         .help = "a point that the axis goes through, where the solid is at the start"}),
-      key<RotationSpec>("rate", &RotationSpec::rate,
-                        {.unit = "degrees/s",
-                         .range = between(-1e6, 1e6),
-                         .fallback = "none",
-                         .help = "at which it turns"}),
-      key<RotationSpec>(
-          "rise", &RotationSpec::rise,
-          {.unit = "s", .range = between(0, far), .help = "in which the rate is reached, smoothly"}),
-      key<RotationSpec>("angle", &RotationSpec::angle,
-                        {.unit = "s, degrees",
-                         .range = between(-far, far),
-                         .help = "in place of a rate: [time, how far it is turned then], in order; between "
-                                 "them a smooth curve that starts and ends at rest"}),
-  };
-  return keys;
-}
-
 template <class Spec>
 Key<Spec> from_start_key() {
   return key<Spec>("from_start", &Spec::from_start,
                    {.help = "whether it rests as it is bent at the start; else straight"});
-}
-
-const Keys<BendingSpec>& bending_keys() {
-  static const Keys<BendingSpec> keys{
-      key<BendingSpec>("stiffness", &BendingSpec::stiffness,
-                       {.unit = "N m/rad",
-                        .range = between(0, 1e12),
-                        .required = true,
-                        .help = "of each inner mass; a rod of EI in N m² has EI over the length of a link"}),
-      from_start_key<BendingSpec>(),
-  };
-  return keys;
-}
-
-const Keys<SheetBendingSpec>& sheet_bending_keys() {
-  static const Keys<SheetBendingSpec> keys{
-      key<SheetBendingSpec>(
-          "stiffness", &SheetBendingSpec::stiffness,
-          {.unit = "N m/rad",
-           .range = between(0, 1e12),
-           .help = "of each inner mass along its row and along its column; cloth of D in N m has "
-                   "D times the width that a mass stands for over the length of a link"}),
-      key<SheetBendingSpec>(
-          "warp", &SheetBendingSpec::warp,
-          {.unit = "N m/rad", .range = between(0, 1e12), .fallback = "stiffness", .help = "along columns"}),
-      key<SheetBendingSpec>(
-          "weft", &SheetBendingSpec::weft,
-          {.unit = "N m/rad", .range = between(0, 1e12), .fallback = "stiffness", .help = "along rows"}),
-      key<SheetBendingSpec>("bias", &SheetBendingSpec::bias,
-                            {.unit = "N m/rad", .range = between(0, 1e12), .help = "along both diagonals"}),
-      from_start_key<SheetBendingSpec>(),
-  };
-  return keys;
-}
-
-const Keys<WindingSpec>& winding_keys() {
-  static const Keys<WindingSpec> keys{
-      key<WindingSpec>("around", &WindingSpec::around,
-                       {.required = true,
-                        .help = "which sphere or capsule: its name, or sphere.0, capsule.1, …, by number "
-                                "from 0. The chain's middle lies "
-                                "its own radius off the solid"}),
-      key<WindingSpec>("turns", &WindingSpec::turns,
-                       {.range = between(-1000, 1000),
-                        .help = "how many times around, right-handed about the axis; below 0 the other way"}),
-      key<WindingSpec>(
-          "start", &WindingSpec::start,
-          {.range = between(0, 1),
-           .help = "where it begins, as a share of the solid's length along the axis: of a capsule "
-                   "from `from` to `to`, of a sphere from pole to pole"}),
-      key<WindingSpec>("end", &WindingSpec::end, {.range = between(0, 1), .help = "where it ends"}),
-      key<WindingSpec>(
-          "axis", &WindingSpec::axis,
-          {.range = between(-far, far), .help = "of a sphere, of any length but 0; a capsule has its own"}),
-  };
-  return keys;
 }
 
 const Keys<HookSpec>& hook_keys() {
@@ -161,23 +78,6 @@ const Keys<HookSpec>& hook_keys() {
                      .range = between(0, far),
                      .help = "[time, share of the rail that the hooks span], which draws the sheet open and "
                              "shut; empty: the hooks stay"}),
-  };
-  return keys;
-}
-
-const Keys<FacesSpec>& faces_keys() {
-  static const Keys<FacesSpec> keys{
-      key<FacesSpec>("thickness", &FacesSpec::thickness,
-                     {.unit = "m",
-                      .range = above_to(0, far),
-                      .required = true,
-                      .help = "faces keep this far apart, and half of it from solids"}),
-      key<FacesSpec>("friction", &FacesSpec::friction,
-                     {.range = between(0, 100),
-                      .help = "Coulomb's coefficient of faces on faces; of two sheets the geometric mean"}),
-      key<FacesSpec>("self_collides", &FacesSpec::self_collides,
-                     {.help = "whether they touch one another; those of other sheets they touch where both "
-                              "sheets collide"}),
   };
   return keys;
 }
@@ -230,6 +130,106 @@ WrittenMotion written_way(const Spec& value) {
 
 }  // namespace
 
+const Keys<WindingSpec>& winding_keys() {
+  static const Keys<WindingSpec> keys{
+      key<WindingSpec>("around", &WindingSpec::around,
+                       {.required = true,
+                        .help = "which sphere or capsule: its name, or sphere.0, capsule.1, …, by number "
+                                "from 0. The chain's middle lies "
+                                "its own radius off the solid"}),
+      key<WindingSpec>("turns", &WindingSpec::turns,
+                       {.range = between(-1000, 1000),
+                        .help = "how many times around, right-handed about the axis; below 0 the other way"}),
+      key<WindingSpec>(
+          "start", &WindingSpec::start,
+          {.range = between(0, 1),
+           .help = "where it begins, as a share of the solid's length along the axis: of a capsule "
+                   "from `from` to `to`, of a sphere from pole to pole"}),
+      key<WindingSpec>("end", &WindingSpec::end, {.range = between(0, 1), .help = "where it ends"}),
+      key<WindingSpec>(
+          "axis", &WindingSpec::axis,
+          {.range = between(-far, far), .help = "of a sphere, of any length but 0; a capsule has its own"}),
+  };
+  return keys;
+}
+
+const Keys<RotationSpec>& rotation_keys() {
+  static const Keys<RotationSpec> keys{
+      key<RotationSpec>(
+          "axis", &RotationSpec::axis,
+          {.range = between(-far, far), .required = true, .help = "of any length but 0; right-handed"}),
+      key<RotationSpec>("through", &RotationSpec::through,
+                        {.unit = "m",
+                         .range = between(-far, far),
+                         .fallback = "its centre",
+                         .help = "a point that the axis goes through, where the solid is at the start"}),
+      key<RotationSpec>("rate", &RotationSpec::rate,
+                        {.unit = "degrees/s",
+                         .range = between(-1e6, 1e6),
+                         .fallback = "none",
+                         .help = "at which it turns"}),
+      key<RotationSpec>(
+          "rise", &RotationSpec::rise,
+          {.unit = "s", .range = between(0, far), .help = "in which the rate is reached, smoothly"}),
+      key<RotationSpec>("angle", &RotationSpec::angle,
+                        {.unit = "s, degrees",
+                         .range = between(-far, far),
+                         .help = "in place of a rate: [time, how far it is turned then], in order; between "
+                                 "them a smooth curve that starts and ends at rest"}),
+  };
+  return keys;
+}
+
+const Keys<FacesSpec>& faces_keys() {
+  static const Keys<FacesSpec> keys{
+      key<FacesSpec>("thickness", &FacesSpec::thickness,
+                     {.unit = "m",
+                      .range = above_to(0, far),
+                      .required = true,
+                      .help = "faces keep this far apart, and half of it from solids"}),
+      key<FacesSpec>("friction", &FacesSpec::friction,
+                     {.range = between(0, 100),
+                      .help = "Coulomb's coefficient of faces on faces; of two sheets the geometric mean"}),
+      key<FacesSpec>("self_collides", &FacesSpec::self_collides,
+                     {.help = "whether they touch one another; those of other sheets they touch where both "
+                              "sheets collide"}),
+  };
+  return keys;
+}
+
+const Keys<BendingSpec>& bending_keys() {
+  static const Keys<BendingSpec> keys{
+      key<BendingSpec>("stiffness", &BendingSpec::stiffness,
+                       {.unit = "N m/rad",
+                        .range = between(0, 1e12),
+                        .required = true,
+                        .help = "of each inner mass; a rod of EI in N m² has EI over the length of a link"}),
+      from_start_key<BendingSpec>(),
+  };
+  return keys;
+}
+
+const Keys<SheetBendingSpec>& sheet_bending_keys() {
+  static const Keys<SheetBendingSpec> keys{
+      key<SheetBendingSpec>(
+          "stiffness", &SheetBendingSpec::stiffness,
+          {.unit = "N m/rad",
+           .range = between(0, 1e12),
+           .help = "of each inner mass along its row and along its column; cloth of D in N m has "
+                   "D times the width that a mass stands for over the length of a link"}),
+      key<SheetBendingSpec>(
+          "warp", &SheetBendingSpec::warp,
+          {.unit = "N m/rad", .range = between(0, 1e12), .fallback = "stiffness", .help = "along columns"}),
+      key<SheetBendingSpec>(
+          "weft", &SheetBendingSpec::weft,
+          {.unit = "N m/rad", .range = between(0, 1e12), .fallback = "stiffness", .help = "along rows"}),
+      key<SheetBendingSpec>("bias", &SheetBendingSpec::bias,
+                            {.unit = "N m/rad", .range = between(0, 1e12), .help = "along both diagonals"}),
+      from_start_key<SheetBendingSpec>(),
+  };
+  return keys;
+}
+
 std::vector<KeyInfo> Codec<WaySpec>::inner() {
   return infos(solid_way_keys());
 }
@@ -263,59 +263,6 @@ std::string Codec<MotionSpec>::write(const MotionSpec& value) {
   return written.amplitude || written.path || written.with ? write_inline(motion_keys(), written) : "";
 }
 
-std::vector<KeyInfo> Codec<std::optional<WindingSpec>>::inner() {
-  return infos(winding_keys());
-}
-
-bool Codec<std::optional<WindingSpec>>::read(const Node& node, const KeyInfo& info,
-                                             std::optional<WindingSpec>& out, Reader& reader) {
-  return read_table(node, winding_keys(), in_quotes(info.name), TableKind::value, out.emplace(), reader);
-}
-
-std::string Codec<std::optional<WindingSpec>>::write(const std::optional<WindingSpec>& value) {
-  return value ? write_inline(winding_keys(), *value) : std::string();
-}
-
-std::vector<KeyInfo> Codec<std::optional<RotationSpec>>::inner() {
-  return infos(rotation_keys());
-}
-
-bool Codec<std::optional<RotationSpec>>::read(const Node& node, const KeyInfo& info,
-                                              std::optional<RotationSpec>& out, Reader& reader) {
-  return read_table(node, rotation_keys(), in_quotes(info.name), TableKind::value, out.emplace(), reader);
-}
-
-std::string Codec<std::optional<RotationSpec>>::write(const std::optional<RotationSpec>& value) {
-  return value ? write_inline(rotation_keys(), *value) : "";
-}
-
-std::vector<KeyInfo> Codec<std::optional<BendingSpec>>::inner() {
-  return infos(bending_keys());
-}
-
-bool Codec<std::optional<BendingSpec>>::read(const Node& node, const KeyInfo& info,
-                                             std::optional<BendingSpec>& out, Reader& reader) {
-  return read_table(node, bending_keys(), in_quotes(info.name), TableKind::value, out.emplace(), reader);
-}
-
-std::string Codec<std::optional<BendingSpec>>::write(const std::optional<BendingSpec>& value) {
-  return value ? write_inline(bending_keys(), *value) : "";
-}
-
-std::vector<KeyInfo> Codec<std::optional<SheetBendingSpec>>::inner() {
-  return infos(sheet_bending_keys());
-}
-
-bool Codec<std::optional<SheetBendingSpec>>::read(const Node& node, const KeyInfo& info,
-                                                  std::optional<SheetBendingSpec>& out, Reader& reader) {
-  return read_table(node, sheet_bending_keys(), in_quotes(info.name), TableKind::value, out.emplace(),
-                    reader);
-}
-
-std::string Codec<std::optional<SheetBendingSpec>>::write(const std::optional<SheetBendingSpec>& value) {
-  return value ? write_inline(sheet_bending_keys(), *value) : "";
-}
-
 std::vector<KeyInfo> Codec<HookSpec>::inner() {
   return infos(hook_keys());
 }
@@ -326,19 +273,6 @@ bool Codec<HookSpec>::read(const Node& node, const KeyInfo& info, HookSpec& out,
 
 std::string Codec<HookSpec>::write(const HookSpec& value) {
   return write_inline(hook_keys(), value);
-}
-
-std::vector<KeyInfo> Codec<std::optional<FacesSpec>>::inner() {
-  return infos(faces_keys());
-}
-
-bool Codec<std::optional<FacesSpec>>::read(const Node& node, const KeyInfo& info,
-                                           std::optional<FacesSpec>& out, Reader& reader) {
-  return read_table(node, faces_keys(), in_quotes(info.name), TableKind::value, out.emplace(), reader);
-}
-
-std::string Codec<std::optional<FacesSpec>>::write(const std::optional<FacesSpec>& value) {
-  return value ? write_inline(faces_keys(), *value) : std::string();
 }
 
 std::vector<KeyInfo> Codec<ExtraLinks>::inner() {

@@ -72,23 +72,28 @@ struct Codec<MotionSpec> {
   static std::string write(const MotionSpec& value);
 };
 
-/// How a chain is wound around a solid, where it is.
-template <>
-struct Codec<std::optional<WindingSpec>> {
+/// A table that may be left out, by its keys.
+template <class Spec, const Keys<Spec>& (*keys)()>
+struct OptionalTable {
   static std::string type() { return "a table"; }
-  static std::vector<KeyInfo> inner();
-  static bool read(const Node& node, const KeyInfo& info, std::optional<WindingSpec>& out, Reader& reader);
-  static std::string write(const std::optional<WindingSpec>& value);
+  static std::vector<KeyInfo> inner() { return infos(keys()); }
+  static bool read(const Node& node, const KeyInfo& info, std::optional<Spec>& out, Reader& reader) {
+    return read_table(node, keys(), in_quotes(info.name), TableKind::value, out.emplace(), reader);
+  }
+  static std::string write(const std::optional<Spec>& value) {
+    return value ? write_inline(keys(), *value) : std::string();
+  }
 };
 
-/// How a solid turns: at a rate, or through angles.
+/// How a chain is wound around a solid, where it is.
+const Keys<WindingSpec>& winding_keys();
 template <>
-struct Codec<std::optional<RotationSpec>> {
-  static std::string type() { return "a table"; }
-  static std::vector<KeyInfo> inner();
-  static bool read(const Node& node, const KeyInfo& info, std::optional<RotationSpec>& out, Reader& reader);
-  static std::string write(const std::optional<RotationSpec>& value);
-};
+struct Codec<std::optional<WindingSpec>> : OptionalTable<WindingSpec, winding_keys> {};
+
+/// How a solid turns: at a rate, or through angles.
+const Keys<RotationSpec>& rotation_keys();
+template <>
+struct Codec<std::optional<RotationSpec>> : OptionalTable<RotationSpec, rotation_keys> {};
 
 template <>
 struct Codec<HookSpec> {
@@ -99,30 +104,18 @@ struct Codec<HookSpec> {
 };
 
 /// How faces touch; absent: they don't.
+const Keys<FacesSpec>& faces_keys();
 template <>
-struct Codec<std::optional<FacesSpec>> {
-  static std::string type() { return "a table"; }
-  static std::vector<KeyInfo> inner();
-  static bool read(const Node& node, const KeyInfo& info, std::optional<FacesSpec>& out, Reader& reader);
-  static std::string write(const std::optional<FacesSpec>& value);
-};
+struct Codec<std::optional<FacesSpec>> : OptionalTable<FacesSpec, faces_keys> {};
 
+/// How a chain, and a sheet, resist being bent; absent: they don't.
+const Keys<BendingSpec>& bending_keys();
 template <>
-struct Codec<std::optional<BendingSpec>> {
-  static std::string type() { return "a table"; }
-  static std::vector<KeyInfo> inner();
-  static bool read(const Node& node, const KeyInfo& info, std::optional<BendingSpec>& out, Reader& reader);
-  static std::string write(const std::optional<BendingSpec>& value);
-};
+struct Codec<std::optional<BendingSpec>> : OptionalTable<BendingSpec, bending_keys> {};
 
+const Keys<SheetBendingSpec>& sheet_bending_keys();
 template <>
-struct Codec<std::optional<SheetBendingSpec>> {
-  static std::string type() { return "a table"; }
-  static std::vector<KeyInfo> inner();
-  static bool read(const Node& node, const KeyInfo& info, std::optional<SheetBendingSpec>& out,
-                   Reader& reader);
-  static std::string write(const std::optional<SheetBendingSpec>& value);
-};
+struct Codec<std::optional<SheetBendingSpec>> : OptionalTable<SheetBendingSpec, sheet_bending_keys> {};
 
 /// One more family of links: not there, there and rigid (true), or there with properties of its own.
 template <>

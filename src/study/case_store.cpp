@@ -17,7 +17,7 @@
 #include "base/failure.h"
 #include "host/build_info.h"
 #include "output/atomic_file.h"
-#include "output/folder_lock.h"
+#include "output/file_lock.h"
 
 namespace taut {
 namespace {
@@ -74,7 +74,7 @@ CaseStore::CaseStore(std::filesystem::path file, std::string_view inputs, bool o
   descriptor_ = ::open(file_.c_str(), O_CREAT | O_RDWR | O_APPEND | O_CLOEXEC, everyone_as_umask_allows);
   if (descriptor_ < 0) fail(file_, "write", errno);
   try {
-    if (!lock_file(descriptor_)) {
+    if (!lock_file(descriptor_, LockWait::a_while)) {
       if (errno != EWOULDBLOCK) fail(file_, "lock", errno);
       throw RunFailure(fmt::format("another taut is working on {}", file_.string()));
     }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "frames/picture_notes.h"
+#include "render/appearance.h"
 #include "render/ground.h"
 
 namespace taut {
@@ -35,7 +36,7 @@ std::optional<std::string> note_at(const Scene& scene, const Vec3& bob) {
   State state = scene.start;
   state.time = 1.5;
   state.position.set(1, bob);
-  return ground_note(scene, state);
+  return ground_note(scene, masses_in_view(scene.model, scene.look), state);
 }
 
 TEST(GroundNote, SaysHowManyMassesAreBelowAGroundThatStopsNothing) {

@@ -18,17 +18,17 @@ std::vector<std::uint32_t> all_of_them(std::size_t count) {
 }  // namespace
 
 // Large enough whatever rounding does to distances.
-ColliderTree::Box ColliderTree::box_around(const Shape& shape) {
-  Box around{Vec3::Zero(), Vec3::Zero()};
-  const auto set = [&](const Vec3& a, const Vec3& b, const Vec3& half_size) {
-    around = {a.cwiseMin(b) - half_size, a.cwiseMax(b) + half_size};
-  };
-  if (const auto* sphere = std::get_if<Sphere>(&shape))
-    set(sphere->centre, sphere->centre, Vec3::Constant(sphere->radius));
-  else if (const auto* capsule = std::get_if<Capsule>(&shape))
-    set(capsule->a, capsule->b, Vec3::Constant(capsule->radius));
-  else if (const auto* box = std::get_if<taut::Box>(&shape))
-    set(box->centre, box->centre, box->axes.cwiseAbs() * box->half_size);
+Bounds ColliderTree::box_around(const Shape& shape) {
+  Bounds around;
+  if (const auto* sphere = std::get_if<Sphere>(&shape)) {
+    around.take_in(sphere->centre, sphere->radius);
+  } else if (const auto* capsule = std::get_if<Capsule>(&shape)) {
+    around.take_in(capsule->a, capsule->radius);
+    around.take_in(capsule->b, capsule->radius);
+  } else if (const auto* box = std::get_if<Box>(&shape)) {
+    const Vec3 half_size = box->axes.cwiseAbs() * box->half_size;
+    around = {box->centre - half_size, box->centre + half_size};
+  }
   const Vec3 slack = 1e-9 * (around.low.cwiseAbs() + around.high.cwiseAbs() + Vec3::Ones());
   return {around.low - slack, around.high + slack};
 }
@@ -47,12 +47,9 @@ ColliderTree::ColliderTree(const std::vector<Shape>& shapes, const std::vector<s
   divide(0, 0, static_cast<std::uint32_t>(order_.size()));
 }
 
-ColliderTree::Box ColliderTree::box_around(std::uint32_t begin, std::uint32_t end) const {
-  Box around = boxes_[order_[begin]];
-  for (std::uint32_t i = begin + 1; i < end; ++i) {
-    around.low = around.low.cwiseMin(boxes_[order_[i]].low);
-    around.high = around.high.cwiseMax(boxes_[order_[i]].high);
-  }
+Bounds ColliderTree::box_around(std::uint32_t begin, std::uint32_t end) const {
+  Bounds around;
+  for (std::uint32_t i = begin; i < end; ++i) around.take_in(boxes_[order_[i]]);
   return around;
 }
 
@@ -75,24 +72,21 @@ void ColliderTree::divide(std::uint32_t node, std::uint32_t begin, std::uint32_t
 
 void ColliderTree::find(const Vec3& place, double reach, std::vector<std::uint32_t>& near) const {
   near.insert(near.end(), everywhere_.begin(), everywhere_.end());
-  const Vec3 around = Vec3::Constant(reach);
-  const auto meets = [&](const Box& box) {
-    return ((place + around).array() >= box.low.array()).all() &&
-           ((place - around).array() <= box.high.array()).all();
-  };
+  Bounds around;
+  around.take_in(place, reach);
   std::array<std::uint32_t, 64> open{};  // halved at the median, no tree of 32-bit numbers is deeper
   std::size_t opened = 0;
   if (!nodes_.empty()) open[opened++] = 0;
   while (opened > 0) {
     const Node& node = nodes_[open[--opened]];
-    if (!meets(node.box)) continue;
+    if (!around.meets(node.box)) continue;
     if (node.count == 0) {
       open[opened++] = node.first;
       open[opened++] = node.first + 1;
       continue;
     }
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
-      if (meets(boxes_[order_[i]])) near.push_back(order_[i]);
+      if (around.meets(boxes_[order_[i]])) near.push_back(order_[i]);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "model/box_tree.h"
 #include "model/model.h"
 
 namespace taut {
@@ -20,23 +21,20 @@ class ColliderTree {
   void find(const Vec3& place, double reach, std::vector<std::uint32_t>& near) const;
 
  private:
-  struct Box {
-    Vec3 low, high;  // m
-  };
   // A box around some of the solids. A leaf holds solids, others hold the two nodes that follow each other.
   struct Node {
-    Box box;
+    Bounds box;
     std::uint32_t first;  // of the solids in order_, or of the two nodes
     std::uint32_t count;  // of solids; 0: no leaf
   };
 
-  static Box box_around(const Shape& shape);
-  Box box_around(std::uint32_t begin, std::uint32_t end) const;
+  static Bounds box_around(const Shape& shape);
+  Bounds box_around(std::uint32_t begin, std::uint32_t end) const;
   void divide(std::uint32_t node, std::uint32_t begin, std::uint32_t end);
 
   std::vector<std::uint32_t> everywhere_;
   std::vector<std::uint32_t> order_;
-  std::vector<Box> boxes_;  // of each solid
+  std::vector<Bounds> boxes_;  // of each solid
   std::vector<Node> nodes_;
 };
 

@@ -12,14 +12,6 @@ ContactPoints::ContactPoints(const Model& model) : model_(model) {
   }
 }
 
-Vec3 ContactPoints::value(std::uint32_t i, const Vectors& of) const {
-  const ContactPoint& point = model_.contacts[i];
-  Vec3 sum = point.weights[0] * of.at(point.masses[0]);
-  for (std::size_t k = 1; k < point.masses.size(); ++k)
-    if (point.weights[k] != 0.0) sum += point.weights[k] * of.at(point.masses[k]);
-  return sum;
-}
-
 void ContactPoints::move(std::uint32_t i, const Vec3& way, Vectors& of) const {
   if (weight_[i] == 0.0) return;
   const ContactPoint& point = model_.contacts[i];

@@ -23,7 +23,7 @@ class ContactPoints {
   double weight(std::uint32_t i) const { return weight_[i]; }
 
   /// The point's own position or velocity.
-  Vec3 value(std::uint32_t i, const Vectors& of) const;
+  Vec3 value(std::uint32_t i, const Vectors& of) const { return value_at(model_.contacts[i], of); }
 
   /// Moves its masses, each as a push at the point would, so that the point goes that way.
   void move(std::uint32_t i, const Vec3& way, Vectors& of) const;

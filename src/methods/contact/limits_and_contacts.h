@@ -13,8 +13,7 @@ namespace taut {
 class LimitsAndContacts {
  public:
   explicit LimitsAndContacts(const Model& model)
-      : model_(model),
-        bends_(model),
+      : bends_(model),
         limits_(model),
         bodies_(model),
         faces_(model),
@@ -25,7 +24,7 @@ class LimitsAndContacts {
 
   /// To be called before the first step and whenever links have broken.
   void links_changed(const State& state) {
-    bends_.links_changed(model_, state);
+    bends_.links_changed(state);
     limits_.links_changed(state);
     faces_.links_changed(state);
   }
@@ -84,7 +83,6 @@ class LimitsAndContacts {
   std::int64_t size() const { return limits_.size() + bends_.size(); }
 
  private:
-  const Model& model_;
   BendSolver bends_;
   LimitSolver limits_;
   BodyContacts bodies_;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -20,8 +19,7 @@ struct Springs {
   bool empty() const { return links.size() == 0 && bends.empty(); }
   /// How far (m) a spring is beyond where it does nothing.
   double stretch(std::size_t i, double distance) const {
-    if (free_range.empty()) return distance - links.length[i];
-    return distance - std::clamp(distance, free_range[i].shortest, free_range[i].longest);
+    return free_range.empty() ? distance - links.length[i] : free_range[i].beyond(distance);
   }
 };
 

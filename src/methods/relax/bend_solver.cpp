@@ -5,8 +5,8 @@
 namespace taut {
 
 // Bends are built along their lines: of those in a row, every third shares no mass.
-void BendSolver::links_changed(const Model& model, const State& state) {
-  const std::vector<Bend> whole = whole_bends(model, state);
+void BendSolver::links_changed(const State& state) {
+  const std::vector<Bend> whole = whole_bends(model_, state);
   bends_.clear();
   for (const std::size_t first : {0U, 1U, 2U})
     for (std::size_t i = first; i < whole.size(); i += 3) bends_.push_back(whole[i]);

@@ -14,12 +14,10 @@ namespace taut {
 ///   Δλ = (−C − α̃ λ)/(Σ wᵢ|∇ᵢφ|² + α̃),  xᵢ ← xᵢ + wᵢ Δλ ∇ᵢφ,   α̃ = 1/(k h²), wᵢ = answer/mᵢ.
 class BendSolver {
  public:
-  explicit BendSolver(const Model& model) : inverse_mass_(model.masses.inverse_mass) {}
+  explicit BendSolver(const Model& model) : model_(model), inverse_mass_(model.masses.inverse_mass) {}
 
   /// To be called before the first step and whenever links have broken.
-  void links_changed(const Model& model, const State& state);
-
-  bool none() const { return bends_.empty(); }
+  void links_changed(const State& state);
 
   /// To be called at the start of a step.
   void begin_step();
@@ -31,6 +29,7 @@ class BendSolver {
   std::int64_t size() const { return static_cast<std::int64_t>(bends_.size()); }
 
  private:
+  const Model& model_;
   const std::vector<double>& inverse_mass_;
   std::vector<Bend> bends_;
   std::vector<double> multipliers_;

@@ -11,8 +11,8 @@ namespace taut {
 
 /// What to say of a picture of a state in which masses are below a drawn ground that stops nothing, such as
 /// people take for a floor; nothing where none are, where the ground isn't drawn or where the eye, too, is
-/// below it. The scene's camera is settled.
-std::optional<std::string> ground_note(const Scene& scene, const State& state);
+/// below it. The scene's camera is settled; `seen` says which masses are to be seen (masses_in_view()).
+std::optional<std::string> ground_note(const Scene& scene, const std::vector<bool>& seen, const State& state);
 
 /// Looks at what is in a picture and what isn't, of a run as it is drawn.
 class PictureNotes {

@@ -27,9 +27,6 @@ struct BendAngle {
 
 BendAngle bend_gradients(const Bend& bend, const Vectors& position);
 
-/// A bend as a limit both of whose ends are its rest, for what solves limits; it may be beyond either end.
-Limit as_limit(const Bend& bend);
-
 struct Model;
 struct State;
 

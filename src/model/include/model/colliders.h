@@ -73,7 +73,12 @@ struct ContactPoint {
   bool of_faces = false;            ///< a corner of faces that touch; see SheetFaces
 };
 
-/// Where a contact point is.
-Vec3 place_of(const ContactPoint& point, const Vectors& position);
+/// What a contact point has of its masses' positions, or velocities.
+inline Vec3 value_at(const ContactPoint& point, const Vectors& of) {
+  Vec3 sum = point.weights[0] * of.at(point.masses[0]);
+  for (std::size_t k = 1; k < point.masses.size(); ++k)
+    if (point.weights[k] != 0.0) sum += point.weights[k] * of.at(point.masses[k]);
+  return sum;
+}
 
 }  // namespace taut

@@ -52,6 +52,10 @@ struct Overshoot {
   double sign = 1.0;  ///< +1 at the upper end, −1 at the lower: the overshoot's gradient over the angle's
 };
 
+/// The angle at the second of three masses (rad), and its gradients at the three.
+double corner_angle(const std::array<Index, 3>& masses, const Vectors& position);
+LimitAngle corner_gradients(const std::array<Index, 3>& masses, const Vectors& position);
+
 /// The angle alone (rad).
 double limit_angle(const Limit& limit, const Vectors& position);
 

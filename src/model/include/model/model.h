@@ -45,6 +45,9 @@ enum class LinkFamily : std::uint8_t { structural, diagonals, skip_one };
 /// shortest. Where the two are one, it does both about its length.
 struct FreeRange {
   double shortest = 0.0, longest = 0.0;
+
+  /// How far (m) a distance is beyond: above 0 the link pulls, below 0 it pushes.
+  double beyond(double distance) const { return distance - std::clamp(distance, shortest, longest); }
 };
 
 /// The constant side of links, one entry a link in every array.
@@ -65,8 +68,7 @@ struct Links {
   }
   /// How far (m) a link is beyond where it does nothing: above 0 it pulls, below 0 it pushes.
   double stretch(std::size_t i, double distance) const {
-    if (!one_sided(i)) return distance - length[i];
-    return distance - std::clamp(distance, free_range[i].shortest, free_range[i].longest);
+    return one_sided(i) ? free_range[i].beyond(distance) : distance - length[i];
   }
   /// The same as a share of its length.
   double strain(std::size_t i, double distance) const {

@@ -8,10 +8,6 @@
 
 namespace taut {
 
-/// Locks an open file for this process alone. Waits a little where another holds it: one that was just killed
-/// may not have let go yet. False, with errno, where it can't be had.
-bool lock_file(int descriptor);
-
 /// Holds a name in a folder for this process alone, as long as the object lives: two programs never work on
 /// the same output at once. What a program that was killed held is free again.
 class FolderLock {
