@@ -72,7 +72,10 @@ class ShakeStepper final : public SwappingStepper {
     difference_quotient(h, state.position, position_, velocity_);
     place_pins(model_, end_time, position_, velocity_);
     const bool continued = as_last && !state.tension_before.empty();
-    if (continued) all_of(tension_) = 2.0 * all_of(start_tension_) - all_of(state.tension_before);
+    if (continued) {
+      all_of(tension_) = 2.0 * all_of(start_tension_) - all_of(state.tension_before);
+      limits_.keep_to_their_side(tension_);
+    }
     kicks_.end(state, end_time, half, position_, kicked_, velocity_, tension_);
     take_over(state, end_time, report);
     if (report.status != StepStatus::done) return report;

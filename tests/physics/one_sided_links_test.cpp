@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -175,6 +176,26 @@ TEST(OneSidedLinks, ARopeBetweenPinsHangsLikeAChain) {
     const State chain = run(build_valid(rope(LinkAction::both)), chosen, 3.0);
     const State pulled = run(build_valid(rope(LinkAction::pull)), chosen, 3.0);
     EXPECT_LT(position_error(chain, pulled), 2e-4) << method;
+  }
+}
+
+// However hard it is shaken, and however its links let go of one another within a step.
+TEST(OneSidedLinks, NoRopePushes) {
+  Description description = rope(LinkAction::pull);
+  description.drag = 0.0;
+  description.chains.front().first_motion.sinusoid = SinusoidSpec{{0.1, 0.2, 0.0}, 12.0, 0.0};
+  const Built built = build_valid(description);
+  for (const std::string method : {"xpbd", "verlet", "shake", "rattle", "newton"}) {
+    taut::Run shaken(built.model, built.start, settings(method, 1200.0, 10.0));
+    double least = 0.0, most = 0.0;
+    for (int frame = 1; frame <= 120; ++frame) {
+      const std::optional<State> state = shaken.at(frame / 60.0);
+      ASSERT_TRUE(state) << shaken.failure();
+      least = std::min(least, *std::ranges::min_element(state->tension));
+      most = std::max(most, *std::ranges::max_element(state->tension));
+    }
+    EXPECT_GE(least, 0.0) << method;
+    EXPECT_GT(most, 5.0) << method;
   }
 }
 

@@ -71,4 +71,14 @@ void LimitSolver::give_tensions(double scale, std::vector<double>& tension) cons
       tension[limits_[i].link] = scale * pushes_[i].multiplier * pushes_[i].sign / limits_[i].length;
 }
 
+void LimitSolver::keep_to_their_side(std::vector<double>& tension) const {
+  for (const std::size_t i : order_) {
+    const Limit& limit = limits_[i];
+    if (limit.kind != LimitKind::reach) continue;
+    double& pull = tension[limit.link];
+    if (!has_stop(limit, 1.0)) pull = std::min(pull, 0.0);
+    if (!has_stop(limit, -1.0)) pull = std::max(pull, 0.0);
+  }
+}
+
 }  // namespace taut

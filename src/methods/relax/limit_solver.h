@@ -37,6 +37,9 @@ class LimitSolver {
   /// multipliers, as −1/h².
   void give_tensions(double scale, std::vector<double>& tension) const;
 
+  /// Takes from tensions that were continued in time what one-sided links can't have: a rope doesn't push.
+  void keep_to_their_side(std::vector<double>& tension) const;
+
   std::int64_t size() const { return static_cast<std::int64_t>(order_.size()); }
 
  private:
