@@ -81,20 +81,28 @@ std::string methods_that(Can can) {
 
 }  // namespace
 
-Settings complete_settings(const Settings& given) {
-  const Method* method = find_method(given.method);
+const Method& method_called(std::string_view name) {
+  const Method* method = find_method(name);
   if (method == nullptr)
-    throw BadRequest(
-        fmt::format("unknown method \"{}\"{}", given.method, did_you_mean(given.method, all_methods())));
+    throw BadRequest(fmt::format("unknown method \"{}\"{}", name, did_you_mean(name, all_methods())));
+  return *method;
+}
+
+Settings complete_settings(const Settings& given) {
+  return complete_settings(method_called(given.method), given);
+}
+
+Settings complete_settings(const Method& method, const Settings& given) {
   for (const auto& [name, value] : given.values) {
-    const Param* param = find_param(*method, name);
+    const Param* param = find_param(method, name);
     if (param == nullptr)
-      throw BadRequest(fmt::format("method \"{}\" has no parameter \"{}\"{}", method->name, name,
-                                   did_you_mean(name, method->params)));
+      throw BadRequest(fmt::format("method \"{}\" has no parameter \"{}\"{}", method.name, name,
+                                   did_you_mean(name, method.params)));
     if (const std::string problem = param_problem(*param, value); !problem.empty()) throw BadRequest(problem);
   }
   Settings complete = given;
-  for (const Param& param : method->params) {
+  complete.method = method.name;
+  for (const Param& param : method.params) {
     if (const auto leader = given.values.find(param.follows); leader != given.values.end())
       complete.values.try_emplace(std::string(param.name), leader->second);
     else if (param.choices.empty())
@@ -142,7 +150,11 @@ std::vector<std::string> capability_problems(const Model& model, const Method& m
 }
 
 std::vector<std::string> refusals(const Model& model, const State& start, const Settings& settings) {
-  const Method& method = *find_method(settings.method);
+  return refusals(*find_method(settings.method), model, start, settings);
+}
+
+std::vector<std::string> refusals(const Method& method, const Model& model, const State& start,
+                                  const Settings& settings) {
   std::vector<std::string> problems = capability_problems(model, method);
   if (problems.empty() && method.refusal != nullptr)
     if (std::string problem = method.refusal(model, start, settings); !problem.empty())

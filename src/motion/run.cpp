@@ -28,10 +28,11 @@ constexpr double nearest_to_stop = 1e-11, cautious = 0.999;
 // does much.
 constexpr double impact_time = 1e-8;
 
-const Method& willing_method(const Model& model, const State& start, const Settings& settings) {
-  const std::vector<std::string> problems = refusals(model, start, settings);
+const Method& willing(const Method& method, const Model& model, const State& start,
+                      const Settings& settings) {
+  const std::vector<std::string> problems = refusals(method, model, start, settings);
   if (!problems.empty()) throw BadRequest(fmt::format("{}", fmt::join(problems, "\n")));
-  return *find_method(settings.method);
+  return method;
 }
 
 std::string_view reason(StepStatus status) {
@@ -60,14 +61,22 @@ std::string_view reason(StepStatus status) {
 
 Run::Run(const Model& model, const State& start, const Settings& settings, const RunPolicy& policy,
          const Execution& execution)
-    : Run(model, start, settings, RunState{start, {}, {}}, policy, execution) {}
+    : Run(model, start, method_called(settings.method), settings, policy, execution) {}
+
+Run::Run(const Model& model, const State& start, const Method& method, const Settings& settings,
+         const RunPolicy& policy, const Execution& execution)
+    : Run(model, start, method, settings, RunState{start, {}, {}}, policy, execution) {}
 
 Run::Run(const Model& model, const State& start, const Settings& settings, const RunState& saved,
          const RunPolicy& policy, const Execution& execution)
+    : Run(model, start, method_called(settings.method), settings, saved, policy, execution) {}
+
+Run::Run(const Model& model, const State& start, const Method& method, const Settings& settings,
+         const RunState& saved, const RunPolicy& policy, const Execution& execution)
     : model_(&model),
       execution_(execution),
-      settings_(complete_settings(settings)),
-      method_(willing_method(model, start, settings_)),
+      settings_(complete_settings(method, settings)),
+      method_(willing(method, model, start, settings_)),
       policy_(policy),
       steps_per_second_(method_.can.chooses_steps ? 0.0 : settings_.steps_per_second()),
       start_time_(start.time),

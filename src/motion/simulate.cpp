@@ -13,7 +13,10 @@ RunReport simulate(const Model& model, State& state, const Settings& settings, s
 
 SampledRun sampled_run(const Model& model, const State& start, const Settings& settings,
                        const std::vector<double>& times, const RunPolicy& policy, const StopTest& stop) {
-  Run run(model, start, settings, policy);
+  return sampled_run(Run(model, start, settings, policy), times, stop);
+}
+
+SampledRun sampled_run(Run run, const std::vector<double>& times, const StopTest& stop) {
   SampledRun sampled;
   for (const double time : times) {
     const std::optional<State> state = run.at(time, throwing(stop));

@@ -30,10 +30,15 @@ class Run {
   /// run (refusals()): the last time that it can; later there are only reports.
   Run(const Model& model, const State& start, const Settings& settings, const RunPolicy& policy = {},
       const Execution& execution = {});
+  /// The same by a method at hand, which need not be one of all_methods() and must live as long as the run.
+  Run(const Model& model, const State& start, const Method& method, const Settings& settings,
+      const RunPolicy& policy = {}, const Execution& execution = {});
   /// Goes on from what save() gave, in this process or another, with the same model, start and settings:
   /// every bit is as if it had never been left.
   Run(const Model& model, const State& start, const Settings& settings, const RunState& saved,
       const RunPolicy& policy = {}, const Execution& execution = {});
+  Run(const Model& model, const State& start, const Method& method, const Settings& settings,
+      const RunState& saved, const RunPolicy& policy = {}, const Execution& execution = {});
   ~Run();
   Run(Run&&) noexcept;
 

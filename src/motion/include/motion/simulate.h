@@ -29,5 +29,7 @@ struct SampledRun {
 SampledRun sampled_run(const Model& model, const State& start, const Settings& settings,
                        const std::vector<double>& times, const RunPolicy& policy = {},
                        const StopTest& stop = {});
+/// The same of a run that is yet to begin, by whatever method and policy.
+SampledRun sampled_run(Run run, const std::vector<double>& times, const StopTest& stop = {});
 
 }  // namespace taut
