@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "base/failure.h"
-#include "base/nearest.h"
+#include "choices.h"
 #include "command_line.h"
 #include "exit_status.h"
 #include "flags.h"
@@ -44,9 +44,14 @@ ErrorKind parse_error(const std::string& text) {
     if (name_of(kind) == text) return kind;
     names.push_back(name_of(kind));
   }
-  const std::string_view nearest = nearest_name(text, names);
-  throw BadRequest(fmt::format("--errors is one or more of {}, not \"{}\"{}", fmt::join(names, ","), text,
-                               nearest.empty() ? "" : fmt::format("; did you mean \"{}\"?", nearest)));
+  not_one_of("each of --errors", text, names);
+}
+
+std::vector<std::string> error_words() {
+  std::vector<std::string> words;
+  words.reserve(all_error_kinds.size());
+  for (const ErrorKind kind : all_error_kinds) words.emplace_back(name_of(kind));
+  return words;
 }
 
 double positive(std::string_view flag, const std::string& text) {
@@ -170,16 +175,20 @@ void add_chart(CommandLine& program) {
   Verb* verb =
       program.add_subcommand("chart", "Speed against accuracy: what each method needs for how little error");
   const auto flags = std::make_shared<ChartFlags>();
-  verb->add_option("SCENE", flags->scenes, "Scene files, or bare names of `taut list scenes`");
+  verb->add_option("SCENE", flags->scenes, "Scene files, or bare names of `taut list scenes`")
+      ->names_a(ValueKind::scene);
   verb->add_flag("--all", flags->all, "All scenes of `taut list scenes`");
   verb->add_flag("--plans", flags->plans,
                  "Also plan each scene for 10 %, 1 % and 0.1 % (see `taut render --accuracy`), and judge the "
                  "plans: plans.md");
-  verb->add_option("--methods", flags->methods, "Only these, such as xpbd,rattle")->delimiter(',');
+  verb->add_option("--methods", flags->methods, "Only these, such as xpbd,rattle")
+      ->names_a(ValueKind::method)
+      ->delimiter(',');
   verb->add_option(
           "--errors", flags->errors,
           "Out of trajectory,strain,energy,sag [trajectory,strain,energy; sag, too, where no motion can be "
           "certified]")
+      ->one_of(error_words())
       ->delimiter(',');
   verb->add_option("--horizon", flags->horizon, "Look at the scene until then, such as 1s [its duration]");
   verb->add_option("--budget", flags->budget,
@@ -188,6 +197,7 @@ void add_chart(CommandLine& program) {
   verb->add_option("--set", flags->sets, "Change a key of the scenes: key=value, any number of times")
       ->allow_extra_args(false);
   verb->add_option("-o,--output", flags->folder, "Folder for charts, tables and chart.html")
+      ->names_a(ValueKind::folder)
       ->capture_default_str();
   add_shard(*verb, flags->shard, "run without it afterwards to draw");
   verb->add_flag("--overwrite", flags->overwrite, "Replace what was measured there before");

@@ -243,7 +243,9 @@ int check(const CheckFlags& flags) {
 void add_check(CommandLine& program) {
   Verb* verb = program.add_subcommand("check", "Find errors in scenes, and test what they expect");
   const auto flags = std::make_shared<CheckFlags>();
-  verb->add_option("SCENE", flags->scenes, "Scene files, or bare names of `taut list scenes`")->required();
+  verb->add_option("SCENE", flags->scenes, "Scene files, or bare names of `taut list scenes`")
+      ->names_a(ValueKind::scene)
+      ->required();
   flags->changes.add_changes_to(*verb);
   flags->changes.add_threads_to(*verb);
   verb->add_flag("--explain", flags->explain,

@@ -1,6 +1,7 @@
 #include "command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <sstream>
 
 #include "base/failure.h"
@@ -24,6 +25,22 @@ Misuse misuse(const CLI::App& program, const CLI::ParseError& error) {
   Misuse misuse{used.empty() ? "" : verb.get_name(), {}, verb.remaining(), flags_of(verb), error.what()};
   for (const CLI::App* each : program.get_subcommands({})) misuse.verbs.push_back(each->get_name());
   return misuse;
+}
+
+FlagFacts facts_of(const CLI::Option& option) {
+  FlagFacts facts;
+  facts.argument = option.get_positional();
+  if (facts.argument) facts.names.push_back(option.get_name(true));
+  for (const std::string& name : option.get_snames()) facts.names.push_back("-" + name);
+  for (const std::string& name : option.get_lnames()) facts.names.push_back("--" + name);
+  facts.help = option.get_description();
+  facts.usually = option.get_default_str();
+  facts.variable = option.get_envname();
+  facts.required = option.get_required();
+  facts.takes_value = option.get_items_expected_max() > 0;
+  facts.takes_list = option.get_delimiter() != '\0';
+  facts.takes_several = option.get_expected_max() > 1;
+  return facts;
 }
 
 }  // namespace
@@ -53,6 +70,29 @@ Flag* Flag::excludes(const Flag* other) {
   return this;
 }
 
+Flag* Flag::names_a(ValueKind kind) {
+  kind_ = kind;
+  return this;
+}
+
+Flag* Flag::with_commas() {
+  with_commas_ = true;
+  return this;
+}
+
+Flag* Flag::one_of(std::vector<std::string> words) {
+  words_ = std::move(words);
+  return this;
+}
+
+FlagFacts Flag::facts() const {
+  FlagFacts facts = facts_of(*option_);
+  facts.kind = kind_;
+  facts.takes_list = facts.takes_list || with_commas_;
+  facts.words = words_;
+  return facts;
+}
+
 Flag* Verb::add_option(const std::string& names, std::string& value, const std::string& help) {
   return &flags_.emplace_back(*parser_->add_option(names, value, help));
 }
@@ -69,7 +109,21 @@ void Verb::footer(const std::string& text) {
   parser_->footer(text);
 }
 
-CommandLine::CommandLine(const std::string& name, const std::string& description, const std::string& version)
+void Verb::hide() {
+  parser_->group("");
+}
+
+VerbFacts Verb::facts() const {
+  VerbFacts facts{parser_->get_name(), parser_->get_description(), parser_->get_footer(), {}};
+  for (const CLI::Option* option : static_cast<const CLI::App*>(parser_)->get_options()) {
+    const auto flag = std::ranges::find(flags_, option, [](const Flag& each) { return &each.option(); });
+    facts.flags.push_back(flag == flags_.end() ? facts_of(*option) : flag->facts());
+  }
+  return facts;
+}
+
+CommandLine::CommandLine(const std::string& name, const std::string& description,
+                         const std::function<std::string()>& version)
     : program_(std::make_unique<CLI::App>(description, name)) {
   program_->set_version_flag("--version", version);
 }
@@ -110,6 +164,15 @@ Action CommandLine::parse(int argument_count, char** arguments) {
       if (&verb.parser() == used) action = &verb.action();
   if (action == nullptr) throw BadRequest("say what to do: taut VERB …\nSee taut --help.");
   return *action;
+}
+
+ProgramFacts CommandLine::facts() const {
+  ProgramFacts facts{program_->get_name(), program_->get_description(), program_->get_footer(), {}, {}};
+  for (const CLI::Option* option : static_cast<const CLI::App&>(*program_).get_options())
+    facts.flags.push_back(facts_of(*option));
+  for (const Verb& verb : verbs_)
+    if (!verb.parser().get_group().empty()) facts.verbs.push_back(verb.facts());
+  return facts;
 }
 
 }  // namespace taut

@@ -16,6 +16,37 @@ namespace taut {
 /// What a command line asks for; gives the exit status.
 using Action = std::function<int()>;
 
+/// What a value is a name of, where it is one; shells complete it by that.
+enum class ValueKind { text, file, folder, scene, method };
+
+/// A verb's option, flag or argument as the help has it, for man pages and completions.
+struct FlagFacts {
+  std::vector<std::string> names;  ///< with their dashes; of an argument its one name
+  std::string help;
+  std::string usually;    ///< its value when it is not given, where the help shows one
+  std::string variable;   ///< of the environment, that gives its value otherwise; empty: none
+  bool argument = false;  ///< has no dashes, goes by its place
+  bool required = false;
+  bool takes_value = false;
+  bool takes_list = false;     ///< several in one, with commas between them
+  bool takes_several = false;  ///< of an argument: any number of them
+  ValueKind kind = ValueKind::text;
+  std::vector<std::string> words;  ///< that the value is one of; empty: any other
+};
+
+/// A verb as the help has it.
+struct VerbFacts {
+  std::string name, help, footer;
+  std::vector<FlagFacts> flags;
+};
+
+/// The whole command line as the help has it, but for what is hidden.
+struct ProgramFacts {
+  std::string name, description, footer;
+  std::vector<FlagFacts> flags;
+  std::vector<VerbFacts> verbs;
+};
+
 /// One of a verb's options, flags or arguments. Each call changes it and gives it back.
 class Flag {
  public:
@@ -30,9 +61,21 @@ class Flag {
   Flag* delimiter(char separator);
   /// Both together are an error.
   Flag* excludes(const Flag* other);
+  /// What its value is a name of.
+  Flag* names_a(ValueKind kind);
+  /// Its value is a list with commas, taken apart by the verb itself.
+  Flag* with_commas();
+  /// The words that its value is one of. They are not checked here.
+  Flag* one_of(std::vector<std::string> words);
+
+  const CLI::Option& option() const { return *option_; }
+  FlagFacts facts() const;
 
  private:
   CLI::Option* option_;
+  ValueKind kind_ = ValueKind::text;
+  bool with_commas_ = false;
+  std::vector<std::string> words_;
 };
 
 /// A verb with its flags and its help. The variables behind the flags must live until the verb's action ran;
@@ -46,11 +89,14 @@ class Verb {
   Flag* add_flag(const std::string& names, bool& value, const std::string& help);
   /// Text below the flags in the help.
   void footer(const std::string& text);
+  /// Leaves it out of the help: it is for other programs.
+  void hide();
   /// What the verb does.
   void action(Action does) { action_ = std::move(does); }
 
   const CLI::App& parser() const { return *parser_; }
   const Action& action() const { return action_; }
+  VerbFacts facts() const;
 
  private:
   CLI::App* parser_;
@@ -61,7 +107,9 @@ class Verb {
 /// The verbs, and the parser that chooses among them; the parser itself is known to command_line.cpp alone.
 class CommandLine {
  public:
-  CommandLine(const std::string& name, const std::string& description, const std::string& version);
+  /// The version is asked for when --version is.
+  CommandLine(const std::string& name, const std::string& description,
+              const std::function<std::string()>& version);
   ~CommandLine();
   CommandLine(const CommandLine&) = delete;
   CommandLine& operator=(const CommandLine&) = delete;
@@ -75,6 +123,8 @@ class CommandLine {
   /// What the arguments ask for; help and version are actions, too. Throws BadRequest where they make no
   /// sense.
   Action parse(int argument_count, char** arguments);
+  /// What there is to know of all that has been added, verbs in that order.
+  ProgramFacts facts() const;
 
  private:
   std::unique_ptr<CLI::App> program_;

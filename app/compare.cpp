@@ -63,9 +63,11 @@ void add_compare(CommandLine& program) {
       program.add_subcommand("compare", "Run a scene by several methods, side by side in one picture");
   const auto flags = std::make_shared<CompareFlags>();
   verb->add_option("SCENE", flags->scene, "A scene file, or the bare name of one of `taut list scenes`")
+      ->names_a(ValueKind::scene)
       ->required();
   verb->add_option("--methods", flags->methods,
                    "Two or more, with settings that differ from the scene's: euler,xpbd:passes=4,rattle")
+      ->names_a(ValueKind::method)
       ->delimiter(',')
       ->required();
   verb->add_option("--set", flags->sets, "Change a key of the scene: key=value, any number of times")

@@ -1,13 +1,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "base/failure.h"
 #include "base/split.h"
+#include "choices.h"
 #include "command_line.h"
 #include "exit_status.h"
 #include "flags.h"
@@ -84,12 +87,14 @@ class Sink {
 };
 
 enum class Table { masses, links, orientations };
+constexpr std::array<std::string_view, 3> table_names{"masses", "links", "orientations"};
+constexpr std::array<std::string_view, 1> formats{"csv"};
 
 Table parse_table(const std::string& text) {
   if (text == "masses") return Table::masses;
   if (text == "links") return Table::links;
   if (text == "orientations") return Table::orientations;
-  throw BadRequest(fmt::format("--table is masses, links or orientations, not \"{}\"", text));
+  not_one_of("--table", text, table_names);
 }
 
 std::string header(Table table) {
@@ -122,8 +127,7 @@ std::string rows(Table table, const Scene& scene, const State& state, int frame)
 }
 
 int export_motion(const ExportFlags& flags) {
-  if (flags.format != "csv")
-    throw BadRequest(fmt::format("--format knows only csv, not \"{}\"", flags.format));
+  if (flags.format != formats.front()) not_one_of("--format", flags.format, formats);
   const Table table = parse_table(flags.table);
   const Execution execution = on_threads(flags.scene.thread_count(flags.certify ? 1 : 0));
   Scene scene = load(flags.scene.scene, flags.scene.overrides(), flags.quiet);
@@ -167,13 +171,16 @@ void add_export(CommandLine& program) {
   const auto flags = std::make_shared<ExportFlags>();
   flags->scene.add_to(*verb);
   flags->scene.add_threads_to(*verb);
-  verb->add_option("--format", flags->format, "csv")->capture_default_str();
-  verb->add_option("--table", flags->table, "masses, links or orientations")->capture_default_str();
+  verb->add_option("--format", flags->format, "csv")->one_of(as_words(formats))->capture_default_str();
+  verb->add_option("--table", flags->table, "masses, links or orientations")
+      ->one_of(as_words(table_names))
+      ->capture_default_str();
   verb->add_option("--times", flags->times,
                    "These instants, exactly, such as 0.5,1.0; else those of all frames");
   verb->add_option("--fps", flags->rate, "Frames per second, such as 30 or 24000/1001")
       ->capture_default_str();
-  verb->add_option("-o,--output", flags->file, "The file; replaced when it exists [stdout]");
+  verb->add_option("-o,--output", flags->file, "The file; replaced when it exists [stdout]")
+      ->names_a(ValueKind::file);
   flags->plan.add_to(*verb);
   add_certify(*verb, flags->certify);
   verb->add_flag("--quiet", flags->quiet, "No messages but errors");

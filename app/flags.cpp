@@ -1,19 +1,17 @@
 #include "flags.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
-#include <span>
 #include <string_view>
 #include <thread>
 #include <utility>
 
 #include "base/failure.h"
-#include "base/nearest.h"
+#include "choices.h"
 #include "estimate.h"
 #include "frames/film_time.h"
 #include "host/patience.h"
@@ -32,24 +30,25 @@ constexpr std::array<std::pair<std::string_view, ColourBy>, 5> colourings{{
     {"limit", ColourBy::limit},
 }};
 
-[[noreturn]] void not_one_of(std::string_view flag, std::string_view given,
-                             std::span<const std::string_view> names) {
-  const std::string_view nearest = nearest_name(given, names);
-  throw BadRequest(fmt::format("{} is one of {}, not \"{}\"{}", flag, fmt::join(names, ", "), given,
-                               nearest.empty() ? "" : fmt::format("; did you mean \"{}\"?", nearest)));
+constexpr std::array<std::string_view, 3> quality_names{"draft", "standard", "fine"};
+constexpr std::array<std::string_view, 4> gl_names{"auto", "osmesa", "egl", "egl:0"};
+
+std::vector<std::string_view> colouring_names() {
+  std::vector<std::string_view> names;
+  names.reserve(colourings.size());
+  for (const auto& [name, colouring] : colourings) names.push_back(name);
+  return names;
 }
 
 Quality parse_quality(const std::string& text) {
   if (text.empty()) return Quality::standard;
   if (const auto quality = quality_named(text)) return *quality;
-  constexpr std::array<std::string_view, 3> names{"draft", "standard", "fine"};
-  not_one_of("--quality", text, names);
+  not_one_of("--quality", text, quality_names);
 }
 
 GlChoice parse_gl(const std::string& text) {
   if (const auto choice = gl_choice_named(text)) return *choice;
-  constexpr std::array<std::string_view, 4> names{"auto", "osmesa", "egl", "egl:0"};
-  not_one_of("--gl", text, names);
+  not_one_of("--gl", text, gl_names);
 }
 
 }  // namespace
@@ -57,12 +56,14 @@ GlChoice parse_gl(const std::string& text) {
 void SceneFlags::add_to(Verb& verb, const std::string& optional) {
   Flag* argument = verb.add_option("SCENE", scene,
                                    "A scene file, or the bare name of one of `taut list scenes`" + optional);
+  argument->names_a(ValueKind::scene);
   if (optional.empty()) argument->required();
   add_changes_to(verb);
 }
 
 void SceneFlags::add_changes_to(Verb& verb) {
-  verb.add_option("--method", method, "Simulate with this method, one of `taut list methods`");
+  verb.add_option("--method", method, "Simulate with this method, one of `taut list methods`")
+      ->names_a(ValueKind::method);
   verb.add_option("--set", sets, "Change a key of the scene: key=value, any number of times")
       ->allow_extra_args(false);
 }
@@ -134,10 +135,12 @@ void apply_slow(const std::string& slow, Scene& scene) {
 void PictureFlags::add_to(Verb& verb) {
   verb.add_option("--size", size, "Width and height in pixels, such as 1280x720, instead of the quality's");
   verb.add_option(
-      "--quality", quality,
-      "draft (640x360, jagged, no shadows), standard (1280x720) or fine (1920x1080, twice the samples)");
+          "--quality", quality,
+          "draft (640x360, jagged, no shadows), standard (1280x720) or fine (1920x1080, twice the samples)")
+      ->one_of(as_words(quality_names));
   verb.add_option("--color,--colour", colour,
-                  "Colour by plain, strain, tension or speed instead of as the scene says");
+                  "Colour by plain, strain, tension, speed or limit instead of as the scene says")
+      ->one_of(as_words(colouring_names()));
   verb.add_flag("--transparent", transparent,
                 "Nothing behind the scene: PNG with alpha, and film as .mov, .webm or .webp");
   verb.add_flag("--captions,!--no-captions", captions,
@@ -146,9 +149,11 @@ void PictureFlags::add_to(Verb& verb) {
   verb.add_option(
           "--gl", gl,
           "How to get OpenGL without a display: osmesa, egl, egl:N (a device of `taut list gl`) or auto")
+      ->one_of(as_words(gl_names))
       ->capture_default_str();
   verb.add_option("--shaders", shader_folder,
-                  "Draw with the shaders of this folder instead of the built-in ones");
+                  "Draw with the shaders of this folder instead of the built-in ones")
+      ->names_a(ValueKind::folder);
 }
 
 PictureSettings PictureFlags::settings(std::optional<Size> usual) const {
@@ -166,14 +171,12 @@ PictureSettings PictureFlags::settings(std::optional<Size> usual) const {
 
 void PictureFlags::apply_to(Scene& scene) const {
   if (colour.empty()) return;
-  std::vector<std::string_view> names;
   for (const auto& [name, colouring] : colourings) {
-    names.push_back(name);
     if (name != colour) continue;
     scene.look.colour_by = colouring;
     return;
   }
-  not_one_of("--color", colour, names);
+  not_one_of("--color", colour, colouring_names());
 }
 
 }  // namespace taut

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "base/failure.h"
-#include "base/nearest.h"
+#include "choices.h"
 #include "command_line.h"
 #include "exit_status.h"
 #include "host/scene_folder.h"
@@ -21,6 +21,8 @@ namespace taut {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr std::array<std::string_view, 4> listed{"scenes", "methods", "keys", "gl"};
 
 struct ListFlags {
   std::string what;
@@ -155,7 +157,6 @@ void list_gl(bool as_json) {
 }
 
 int list(const ListFlags& flags) {
-  constexpr std::array<std::string_view, 4> known{"scenes", "methods", "keys", "gl"};
   if (flags.what == "scenes")
     list_scenes(flags.json);
   else if (flags.what == "methods")
@@ -164,11 +165,8 @@ int list(const ListFlags& flags) {
     list_keys(flags.json);
   else if (flags.what == "gl")
     list_gl(flags.json);
-  else {
-    const std::string_view nearest = nearest_name(flags.what, known);
-    throw BadRequest(fmt::format("list shows {}, not \"{}\"{}", fmt::join(known, ", "), flags.what,
-                                 nearest.empty() ? "" : fmt::format("; did you mean \"{}\"?", nearest)));
-  }
+  else
+    not_one_of("what list shows", flags.what, listed);
   return exit_done;
 }
 
@@ -178,7 +176,7 @@ void add_list(CommandLine& program) {
   Verb* verb = program.add_subcommand(
       "list", "What there is: scenes, methods, the keys of a scene file, or ways to draw");
   const auto flags = std::make_shared<ListFlags>();
-  verb->add_option("WHAT", flags->what, "scenes, methods, keys or gl")->required();
+  verb->add_option("WHAT", flags->what, "scenes, methods, keys or gl")->one_of(as_words(listed))->required();
   verb->add_flag("--json", flags->json, "Print an array of objects as JSON");
   verb->footer("Example:\n  taut list methods --json");
   verb->action([flags] { return list(*flags); });

@@ -1,6 +1,3 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -10,11 +7,11 @@
 #include "base/failure.h"
 #include "command_line.h"
 #include "exit_status.h"
-#include "host/build_info.h"
 #include "host/signals.h"
 #include "host/standard_streams.h"
 #include "methods/simd.h"
 #include "verbs.h"
+#include "version_text.h"
 
 namespace taut {
 namespace {
@@ -47,7 +44,7 @@ int carry_out(const Action& action) {
 
 int run(int argument_count, char** arguments) {
   CommandLine program("taut", "taut: masses joined by links, simulated and shown without a display",
-                      build_info());
+                      version_text);
   program.footer("`taut VERB --help` says more.\n\nExample:\n  taut render hanging-chain --film chain.mp4");
   add_render(program);
   add_compare(program);
@@ -63,11 +60,13 @@ int run(int argument_count, char** arguments) {
   add_verify(program);
   add_bench(program);
   add_list(program);
+  add_new(program);
+  add_generate(program);
   std::string simd;
   program.add_everywhere(
       "--simd", "TAUT_SIMD", simd,
-      fmt::format("Use these vector instructions instead of the best, which changes no result: {}",
-                  fmt::join(simd_targets(), ", ")));
+      "Use these vector instructions instead of the best, which changes no result: one of those that "
+      "`taut --version` names");
   return carry_out([&] {
     const Action action = program.parse(argument_count, arguments);
     force_simd(simd);

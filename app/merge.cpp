@@ -79,9 +79,12 @@ void add_merge(CommandLine& program) {
   Verb* verb = program.add_subcommand("merge", "Join what shards have made, and name what is missing");
   const auto flags = std::make_shared<MergeFlags>();
   verb->add_option("FOLDER", flags->folders, "The folder that shards have filled together, or one of each")
+      ->names_a(ValueKind::folder)
       ->required();
-  verb->add_option("-o,--output", flags->output, "Join them in this folder [the one that is named]");
-  verb->add_option("--film", flags->film, "Make a film of the frames when all are there, as render does");
+  verb->add_option("-o,--output", flags->output, "Join them in this folder [the one that is named]")
+      ->names_a(ValueKind::folder);
+  verb->add_option("--film", flags->film, "Make a film of the frames when all are there, as render does")
+      ->names_a(ValueKind::file);
   verb->add_flag("--quiet", flags->quiet, "Say only what is missing");
   verb->footer(
       "Status 3: something is missing. Joining again changes nothing.\n\n"

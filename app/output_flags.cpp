@@ -101,11 +101,13 @@ int parse_depth(const std::string& text) {
 }  // namespace
 
 void OutputFlags::add_to(Verb& verb, const std::string& usual_folder) {
-  verb.add_option("-o,--output", folder, fmt::format("Folder for the frames [{}]", usual_folder));
+  verb.add_option("-o,--output", folder, fmt::format("Folder for the frames [{}]", usual_folder))
+      ->names_a(ValueKind::folder);
   verb.add_option("--film", film,
                   "Also make a film; its ending chooses .mp4, .webm, .gif, .webp or .mov (ProRes 4444, for "
                   "cutting), and - "
-                  "is standard output (as .mp4; webm:- and gif:- otherwise)");
+                  "is standard output (as .mp4; webm:- and gif:- otherwise)")
+      ->names_a(ValueKind::file);
   verb.add_flag("--no-frames", no_frames, "Only the film, no PNG files");
   verb.add_option("--frames", selection,
                   "Only these frames, such as 1-100:2,150; a film of every n-th keeps its speed");
@@ -113,8 +115,9 @@ void OutputFlags::add_to(Verb& verb, const std::string& usual_folder) {
   verb.add_option("--fps", rate, "Frames per second, such as 30, 29.97 or 24000/1001 [30]");
   add_slow(verb, slow);
   verb.add_option(
-      "--depth", depth,
-      "Bits of a colour channel: 8, in PNG files, or 16, in TIFF files and finer in .mov films [8]");
+          "--depth", depth,
+          "Bits of a colour channel: 8, in PNG files, or 16, in TIFF files and finer in .mov films [8]")
+      ->one_of({"8", "16"});
   add_shard(verb, shard, "taut merge joins them");
   verb.add_flag("--overwrite", overwrite, "Replace frames and a film that are there already");
   verb.add_flag("--json", json, "Print a summary as JSON on stdout");

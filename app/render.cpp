@@ -81,7 +81,8 @@ void add_render(CommandLine& program) {
   flags->output.add_to(*verb, "out/<scene>");
   verb->add_option("--motion", flags->motion,
                    "Draw what `taut simulate` left in this folder, with any camera and look, instead of "
-                   "simulating");
+                   "simulating")
+      ->names_a(ValueKind::folder);
   verb->footer(
       "Running the same again goes on where it stopped, from the last checkpoint. Shards fill one folder "
       "together.\n\n"

@@ -106,7 +106,7 @@ void add_sag(CommandLine& program) {
   const auto flags = std::make_shared<SagFlags>();
   flags->scene.add_to(*verb);
   verb->add_option("--passes", flags->passes, "Passes over all links in each step")->capture_default_str();
-  verb->add_option("-o,--output", flags->folder, "The folder [out/SCENE-sag]");
+  verb->add_option("-o,--output", flags->folder, "The folder [out/SCENE-sag]")->names_a(ValueKind::folder);
   add_shard(*verb, flags->shard, "run without it afterwards to draw");
   flags->picture.add_to(*verb);
   verb->add_flag("--json", flags->json, "Print the numbers as JSON on stdout");

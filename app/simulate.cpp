@@ -86,7 +86,8 @@ void add_simulate(CommandLine& program) {
   flags->scene.add_to(*verb);
   flags->scene.add_threads_to(*verb);
   flags->plan.add_to(*verb);
-  verb->add_option("-o,--output", flags->folder, "Folder for the motion [out/<scene>-motion]");
+  verb->add_option("-o,--output", flags->folder, "Folder for the motion [out/<scene>-motion]")
+      ->names_a(ValueKind::folder);
   verb->add_option("--fps", flags->rate, "Moments per second of film, such as 30, 29.97 or 24000/1001")
       ->capture_default_str();
   add_slow(*verb, flags->slow);

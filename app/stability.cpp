@@ -14,6 +14,7 @@
 #include "flags.h"
 #include "host/standard_streams.h"
 #include "interrupted.h"
+#include "measure/stability_variant.h"
 #include "methods/registry.h"
 #include "output/gnuplot.h"
 #include "study/stability_files.h"
@@ -28,6 +29,13 @@ struct StabilityFlags {
   std::string methods, grid = "40x30", duration = "0.6", folder, shard;
   bool resume = false, overwrite = false, draw_only = false, json = false, quiet = false;
 };
+
+std::vector<std::string> axes_words() {
+  std::vector<std::string> words;
+  words.reserve(all_map_axes().size());
+  for (const MapAxes& axes : all_map_axes()) words.emplace_back(axes.name);
+  return words;
+}
 
 // All methods with a step to choose, or those of --methods. Throws BadRequest for one that is none, and for
 // one that comes twice.
@@ -117,19 +125,23 @@ int stability(const StabilityFlags& flags) {
 void add_stability(CommandLine& program) {
   Verb* verb = program.add_subcommand("stability", "Maps of where each method fails");
   const auto flags = std::make_shared<StabilityFlags>();
-  verb->add_option("SCENE", flags->scenes, "Scene files, or bare names of `taut list scenes` [level-chain]");
+  verb->add_option("SCENE", flags->scenes, "Scene files, or bare names of `taut list scenes` [level-chain]")
+      ->names_a(ValueKind::scene);
   verb->add_option("--methods", flags->methods,
-                   "Only these, such as rattle,xpbd:passes=4,xpbd:precision=single [all]");
+                   "Only these, such as rattle,xpbd:passes=4,xpbd:precision=single [all]")
+      ->names_a(ValueKind::method)
+      ->with_commas();
   verb->add_option("--axes", flags->axes,
                    "step,mass-ratio  step,stiffness  step,links  passes,links  step,gravity; any number of "
                    "times [the first two]")
+      ->one_of(axes_words())
       ->allow_extra_args(false);
   verb->add_option("--grid", flags->grid, "Columns x rows of a map")->capture_default_str();
   verb->add_option("--duration", flags->duration, "Seconds of every run, at most the scene's")
       ->capture_default_str();
   verb->add_option("--set", flags->sets, "Change a key of the scene: key=value, any number of times")
       ->allow_extra_args(false);
-  verb->add_option("-o,--output", flags->folder, "Folder [out/stability]");
+  verb->add_option("-o,--output", flags->folder, "Folder [out/stability]")->names_a(ValueKind::folder);
   verb->add_flag("--resume", flags->resume, "Go on where an earlier run stopped, as it does anyway");
   verb->add_flag("--overwrite", flags->overwrite, "Begin anew, whatever the folder holds");
   add_shard(*verb, flags->shard, "run without it afterwards to draw");

@@ -64,7 +64,9 @@ void add_still(CommandLine& program) {
   flags->scene.add_to(*verb);
   flags->scene.add_threads_to(*verb);
   verb->add_option("--at", flags->at, "The time, such as 2.5s")->required();
-  verb->add_option("-o,--output", flags->file, "The PNG file; replaced when it exists")->required();
+  verb->add_option("-o,--output", flags->file, "The PNG file; replaced when it exists")
+      ->names_a(ValueKind::file)
+      ->required();
   flags->picture.add_to(*verb);
   verb->add_flag("--json", flags->json, "Print what was made as JSON on stdout");
   verb->add_flag("--quiet", flags->quiet, "No messages but errors");

@@ -66,7 +66,9 @@ void add_strip(CommandLine& program) {
   flags->scene.add_to(*verb);
   flags->scene.add_threads_to(*verb);
   verb->add_option("--count", flags->count, "How many pictures")->capture_default_str();
-  verb->add_option("-o,--output", flags->file, "The PNG file; replaced when it exists")->required();
+  verb->add_option("-o,--output", flags->file, "The PNG file; replaced when it exists")
+      ->names_a(ValueKind::file)
+      ->required();
   flags->picture.captions = true;
   flags->picture.add_to(*verb);
   verb->add_flag("--json", flags->json, "Print what was made as JSON on stdout");

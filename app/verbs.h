@@ -19,5 +19,7 @@ void add_simulate(CommandLine& program);
 void add_merge(CommandLine& program);
 void add_verify(CommandLine& program);
 void add_list(CommandLine& program);
+void add_new(CommandLine& program);
+void add_generate(CommandLine& program);
 
 }  // namespace taut

@@ -58,6 +58,7 @@ void add_verify(CommandLine& program) {
   const auto flags = std::make_shared<VerifyFlags>();
   verb->add_option("OUTPUT", flags->output,
                    "A folder of frames or of a motion, or a film made without frames")
+      ->names_a(ValueKind::file)
       ->required();
   verb->add_flag("--deep", flags->deep, "Also simulate it again and compare the state of every frame");
   verb->add_flag("--json", flags->json, "Print what was found as JSON on stdout");

@@ -1,0 +1,120 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/failure.h"
+#include "choices.h"
+#include "command_line.h"
+#include "exit_status.h"
+#include "host/scene_folder.h"
+#include "host/standard_streams.h"
+#include "output/atomic_file.h"
+#include "scene/scene.h"
+#include "scene_templates.h"
+#include "verbs.h"
+
+namespace taut {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct NewFlags {
+  std::string name, kind, like;
+  bool quiet = false;
+};
+
+std::vector<std::string_view> kinds() {
+  std::vector<std::string_view> kinds;
+  kinds.reserve(scene_templates().size());
+  for (const SceneTemplate& each : scene_templates()) kinds.push_back(each.kind);
+  return kinds;
+}
+
+// A name that a file, a folder of frames and a command line can have without quotes.
+void check_name(const std::string& name) {
+  constexpr std::size_t longest = 64;
+  const auto fits = [](char letter) {
+    return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
+           (letter >= '0' && letter <= '9') || letter == '-' || letter == '_';
+  };
+  if (name.empty() || name.front() == '-' || name.size() > longest || !std::ranges::all_of(name, fits))
+    throw BadRequest(fmt::format(
+        "a scene's name is made of letters, digits, - and _, at most {}; the file gets .toml behind it; not "
+        "\"{}\"",
+        longest, name));
+}
+
+const SceneTemplate& template_of(const std::string& kind) {
+  const std::vector<std::string_view> known = kinds();
+  const auto found = std::ranges::find(known, kind);
+  if (found == known.end()) not_one_of("--kind", kind, known);
+  return scene_templates()[static_cast<std::size_t>(found - known.begin())];
+}
+
+std::string with_name(std::string_view text, const std::string& name) {
+  constexpr std::string_view placeholder = "NAME";
+  std::string named(text);
+  return named.replace(named.find(placeholder), placeholder.size(), name);
+}
+
+// The text of a scene as it is. Throws BadRequest where it would be no scene in the current folder.
+std::string copy_of(const std::string& scene, const std::string& name) {
+  const fs::path file = find_scene(scene);
+  load_scene(file);
+  std::ifstream stream(file, std::ios::binary);
+  const std::string text = fmt::format("# A copy of {}.\n{}", file.filename().string(),
+                                       std::string(std::istreambuf_iterator<char>(stream), {}));
+  if (!stream) throw RunFailure(fmt::format("{} can't be read", file.string()));
+  parse_scene(text, name + ".toml");
+  return text;
+}
+
+int make_scene(const NewFlags& flags) {
+  check_name(flags.name);
+  const std::string kind = flags.kind.empty() ? "chain" : flags.kind;
+  const SceneTemplate& begun = template_of(kind);
+  const std::string text =
+      flags.like.empty() ? with_name(begun.text, flags.name) : copy_of(flags.like, flags.name);
+  const fs::path file = flags.name + ".toml";
+  std::error_code error;
+  if (fs::exists(fs::symlink_status(file, error)))
+    throw OutputConflict(fmt::format("{} is there already, and stays as it is", file.string()));
+  write_file(file, text);
+  if (flags.quiet) return exit_done;
+  tell("{} is written. Next:\n", file.string());
+  print_result("taut still {0} --at 1s -o {1}.png\ntaut render {0} --film {1}.mp4\n", file.string(),
+               flags.name);
+  if (flags.like.empty())
+    print_result("taut render {} {} --film {}-2.mp4\n", file.string(), begun.look, flags.name);
+  print_result("taut check {} --explain\n", file.string());
+  return exit_done;
+}
+
+}  // namespace
+
+void add_new(CommandLine& program) {
+  Verb* verb =
+      program.add_subcommand("new", "A scene to begin with, with comments that say what its keys do");
+  const auto flags = std::make_shared<NewFlags>();
+  verb->add_option("NAME", flags->name,
+                   "Its name: NAME.toml is written into the current folder, if it isn't there")
+      ->required();
+  Flag* kind = verb->add_option("--kind", flags->kind, "What it is made of: chain, sheet or ragdoll [chain]")
+                   ->one_of(as_words(kinds()));
+  verb->add_option("--like", flags->like, "A copy of this scene instead, a file or one of `taut list scenes`")
+      ->names_a(ValueKind::scene)
+      ->excludes(kind);
+  verb->add_flag("--quiet", flags->quiet, "Don't say what to try next");
+  verb->footer(
+      "Example:\n  taut new rope && taut render rope.toml --film rope.mp4\n  taut new flag-2 --like flag");
+  verb->action([flags] { return make_scene(*flags); });
+}
+
+}  // namespace taut
