@@ -1,8 +1,10 @@
 # What taut_host is told of the build.
-target_compile_definitions(
-  taut_host PRIVATE TAUT_VERSION="${PROJECT_VERSION}" TAUT_BUILD_TYPE="$<CONFIG>"
-                   TAUT_SOURCE_SCENES="${PROJECT_SOURCE_DIR}/scenes")
+target_compile_definitions(taut_host PRIVATE TAUT_VERSION="${PROJECT_VERSION}" TAUT_BUILD_TYPE="$<CONFIG>")
 target_link_options(taut_host INTERFACE -Wl,--build-id)
+
+# A program in the build folder finds the scenes where an installed one does: relative to itself.
+file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/share/taut)
+file(CREATE_LINK ${PROJECT_SOURCE_DIR}/scenes ${PROJECT_BINARY_DIR}/share/taut/scenes SYMBOLIC)
 
 # The commit stands beside what was measured; looked up again when the repository moves.
 find_package(Git QUIET)

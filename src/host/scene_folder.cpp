@@ -1,6 +1,7 @@
 #include "host/scene_folder.h"
 
 #include <fmt/format.h>
+#include <sys/auxv.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -38,6 +39,28 @@ fs::path existing_file(const fs::path& file) {
                   nearest.empty() ? "" : fmt::format("; did you mean \"{}\"?", nearest)));
 }
 
+// The running program's own file, through links. Where /proc is not there, as in a bare chroot, what it was
+// started as.
+fs::path program_file() {
+  std::error_code error;
+  const fs::path file = fs::read_symlink("/proc/self/exe", error);
+  if (!error) return file;
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): an address as the system gives it
+  const auto* started_as = reinterpret_cast<const char*>(::getauxval(AT_EXECFN));
+  return started_as == nullptr ? fs::path() : fs::canonical(started_as, error);
+}
+
+// Where a program in PREFIX/bin has its scenes, or one in a build folder.
+fs::path own_scene_folder() {
+  const fs::path folder = program_file().parent_path();
+  for (const fs::path& root : {folder.parent_path(), folder}) {
+    std::error_code error;
+    const fs::path scenes = fs::canonical(root / "share/taut/scenes", error);
+    if (!error) return scenes;
+  }
+  return {};
+}
+
 }  // namespace
 
 std::vector<fs::path> scene_folders() {
@@ -47,7 +70,7 @@ std::vector<fs::path> scene_folders() {
     if (fs::is_directory(folder, error)) folders.push_back(folder);
   };
   if (const char* chosen = std::getenv("TAUT_SCENES"); chosen != nullptr && *chosen != '\0') add(chosen);
-  add(TAUT_SOURCE_SCENES);
+  add(own_scene_folder());
   add("scenes");
   return folders;
 }
