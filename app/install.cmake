@@ -25,7 +25,10 @@ if(NOT TAUT_SANITIZE)
   install(DIRECTORY ${made}/man/man1 DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT program)
   set(data ${CMAKE_INSTALL_DATADIR})
   install(FILES ${made}/taut.bash DESTINATION ${data}/bash-completion/completions RENAME taut COMPONENT program)
-  install(FILES ${made}/taut.zsh DESTINATION ${data}/zsh/site-functions RENAME _taut COMPONENT program)
+  # Where zsh looks below /usr/local, and where Debian's looks below /usr.
+  foreach(folder site-functions vendor-completions)
+    install(FILES ${made}/taut.zsh DESTINATION ${data}/zsh/${folder} RENAME _taut COMPONENT program)
+  endforeach()
   install(FILES ${made}/taut.fish DESTINATION ${data}/fish/vendor_completions.d COMPONENT program)
 endif()
 
@@ -38,6 +41,8 @@ foreach(folder ${installed_libraries})
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/${folder}/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/taut
           COMPONENT library)
 endforeach()
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libtaut-dev RENAME copyright
+        COMPONENT library)
 set(config_folder ${CMAKE_INSTALL_LIBDIR}/cmake/taut)
 install(EXPORT taut NAMESPACE taut:: FILE tautTargets.cmake DESTINATION ${config_folder} COMPONENT library)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/app/tautConfig.cmake.in ${PROJECT_BINARY_DIR}/tautConfig.cmake

@@ -92,7 +92,7 @@ int make_scene(const NewFlags& flags) {
   print_result("taut still {0} --at 1s -o {1}.png\ntaut render {0} --film {1}.mp4\n", file.string(),
                flags.name);
   if (flags.like.empty())
-    print_result("taut render {} {} --film {}-2.mp4\n", file.string(), begun.look, flags.name);
+    print_result("taut render {} {} --no-frames --film {}-2.mp4\n", file.string(), begun.look, flags.name);
   print_result("taut check {} --explain\n", file.string());
   return exit_done;
 }

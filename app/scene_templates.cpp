@@ -51,7 +51,7 @@ weights = true                # the heavier, the larger
 )toml";
 
 constexpr std::string_view sheet_scene =
-    R"toml(# A cloth hangs by two corners in the wind. Lengths are in metres, masses in kilograms.
+    R"toml(# A cloth hangs by its upper edge in the wind. Lengths are in metres, masses in kilograms.
 title = "NAME"
 
 [world]
@@ -76,7 +76,7 @@ from = [-0.6, 2.0, 0.0]       # m, the ends of its upper edge
 to = [0.6, 2.0, 0.0]
 down = [0.0, -1.2, 0.0]       # m, from there to its lower edge
 mass = 0.3                    # kg, of the whole
-pinned = ["top-left", "top-right"]  # or "top", and so on
+pinned = ["top"]              # or "left", "bottom-right", and so on
 diagonals = { stiffness = 60.0, damping = 0.05 }  # N/m, N s/m: against shear
 skip_one = { stiffness = 0.5, damping = 0.02 }    # N/m, N s/m: against bending
 # colour = "teal"

@@ -4,6 +4,7 @@
 #
 #   bash app/setup.sh          what building and running needs
 #   bash app/setup.sh test     that, and what tests, checks and benchmarks need
+#   bash app/setup.sh package  what building and making Debian packages needs
 set -euo pipefail
 
 to_build=(ca-certificates cmake ninja-build g++ pkg-config
@@ -12,12 +13,14 @@ to_build=(ca-certificates cmake ninja-build g++ pkg-config
 to_run=(ffmpeg gnuplot-nox fonts-dejavu-core)
 to_test=(libgtest-dev libbenchmark-dev libbullet-dev libmujoco-dev libdeflate-dev libgmp-dev clang libclang-rt-dev clang-format clang-tidy pngcheck ccache parallel
   chromium-headless-shell)
+to_package=(dpkg-dev file)
 
 case "${1:-run}" in
   run) wanted=("${to_build[@]}" "${to_run[@]}") ;;
   test) wanted=("${to_build[@]}" "${to_run[@]}" "${to_test[@]}") ;;
+  package) wanted=("${to_build[@]}" "${to_package[@]}") ;;
   *)
-    echo "setup.sh: say run or test, not \"$1\"" >&2
+    echo "setup.sh: say run, test or package, not \"$1\"" >&2
     exit 2
     ;;
 esac

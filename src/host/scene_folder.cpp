@@ -20,23 +20,41 @@ bool looks_like_a_path(const std::string& argument) {
   return argument.find('/') != std::string::npos || argument.ends_with(".toml");
 }
 
+// The nearest name, with its folder before it, as a question; empty where none is near.
+std::string did_you_mean(const std::string& name, const std::vector<std::string>& known,
+                         const fs::path& folder = {}) {
+  const std::vector<std::string_view> names(known.begin(), known.end());
+  const std::string_view nearest = nearest_name(name, names);
+  return nearest.empty() ? "" : fmt::format("; did you mean \"{}\"?", (folder / nearest).string());
+}
+
+std::vector<std::string> scene_files_in(const fs::path& folder) {
+  std::vector<std::string> files;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder.empty() ? "." : folder, error))
+    if (entry.path().extension() == ".toml") files.push_back(entry.path().filename().string());
+  std::ranges::sort(files);
+  return files;
+}
+
 fs::path existing_file(const fs::path& file) {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
   if (fs::is_directory(status))
     throw BadRequest(fmt::format("{} is a folder, not a scene file", file.string()));
-  if (error || !fs::exists(status)) throw BadRequest(fmt::format("there is no scene file {}", file.string()));
+  if (error || !fs::exists(status))
+    throw BadRequest(fmt::format(
+        "there is no scene file {}{}", file.string(),
+        did_you_mean(file.filename().string(), scene_files_in(file.parent_path()), file.parent_path())));
   return file;
 }
 
 [[noreturn]] void no_such_scene(const std::string& name) {
   std::vector<std::string> stems;
   for (const fs::path& file : all_scene_files()) stems.push_back(file.stem().string());
-  const std::vector<std::string_view> names(stems.begin(), stems.end());
-  const std::string_view nearest = nearest_name(name, names);
   throw BadRequest(
       fmt::format("there is no scene \"{}\"{}; \"taut list scenes\" shows all, and a path means a file", name,
-                  nearest.empty() ? "" : fmt::format("; did you mean \"{}\"?", nearest)));
+                  did_you_mean(name, stems)));
 }
 
 // The running program's own file, through links. Where /proc is not there, as in a bare chroot, what it was

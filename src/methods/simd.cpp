@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "base/failure.h"
+#include "base/nearest.h"
 
 namespace taut {
 namespace {
@@ -33,9 +34,12 @@ void force_simd(std::string_view name) {
   if (name.empty()) return;
   for (const std::int64_t target : hwy::SupportedAndGeneratedTargets())
     if (name_of(target) == name) return hwy::SetSupportedTargetsForTest(target);
-  throw BadRequest(
-      fmt::format("this processor, or this program, has no vector instructions \"{}\"; there are {}", name,
-                  fmt::join(simd_targets(), ", ")));
+  const std::vector<std::string> targets = simd_targets();
+  const std::vector<std::string_view> names(targets.begin(), targets.end());
+  const std::string_view nearest = nearest_name(name, names);
+  throw BadRequest(fmt::format(
+      "this processor, or this program, has no vector instructions \"{}\"; there are {}{}", name,
+      fmt::join(targets, ", "), nearest.empty() ? "" : fmt::format("; did you mean \"{}\"?", nearest)));
 }
 
 }  // namespace taut
