@@ -9,8 +9,8 @@ namespace {
 constexpr std::string_view zsh_functions = R"shell(# Scenes by name, and scene files.
 _taut_scenes() {
   local -a scenes
-  scenes=(${(f)" $(_call_program scenes taut generate words scenes) "})
-    _alternative 'scenes:scene:compadd -a scenes' 'files:scene file:_files -g "*.toml"'
+  scenes=("${(@f)$(taut generate words scenes 2>/dev/null)}")
+  _alternative 'scenes:scene:compadd -a scenes' 'files:scene file:_files -g "*.toml"'
 }
 )shell";
 
