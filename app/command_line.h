@@ -24,10 +24,10 @@ class Flag {
   Flag* required();
   /// The help shows the value that its variable has now.
   Flag* capture_default_str();
-  /// Whether one mention may be followed by several values.
-  Flag* allow_extra_args(bool allowed);
-  /// What separates the values of a list.
-  Flag* delimiter(char separator);
+  /// Of a list: each mention takes one value, which the help calls so.
+  Flag* one_each(const std::string& value);
+  /// Of a list: each mention takes one word, values with commas between them, which the help calls so.
+  Flag* list(const std::string& values);
   /// Both together are an error.
   Flag* excludes(const Flag* other);
 
