@@ -183,19 +183,19 @@ void add_chart(CommandLine& program) {
                  "plans: plans.md");
   verb->add_option("--methods", flags->methods, "Only these, such as xpbd,rattle")
       ->names_a(ValueKind::method)
-      ->delimiter(',');
+      ->list("METHODS");
   verb->add_option(
           "--errors", flags->errors,
           "Out of trajectory,strain,energy,sag [trajectory,strain,energy; sag, too, where no motion can be "
           "certified]")
       ->one_of(error_words())
-      ->delimiter(',');
+      ->list("KINDS");
   verb->add_option("--horizon", flags->horizon, "Look at the scene until then, such as 1s [its duration]");
   verb->add_option("--budget", flags->budget,
                    "Time to spend on a scene; what is then missing is run the next time")
       ->capture_default_str();
   verb->add_option("--set", flags->sets, "Change a key of the scenes: key=value, any number of times")
-      ->allow_extra_args(false);
+      ->one_each("KEY=VALUE");
   verb->add_option("-o,--output", flags->folder, "Folder for charts, tables and chart.html")
       ->names_a(ValueKind::folder)
       ->capture_default_str();

@@ -24,6 +24,7 @@ struct FlagFacts {
   std::vector<std::string> names;  ///< with their dashes; of an argument its one name
   std::string help;
   std::string usually;    ///< its value when it is not given, where the help shows one
+  std::string value;      ///< what the help calls its value; empty: nothing in particular
   std::string variable;   ///< of the environment, that gives its value otherwise; empty: none
   bool argument = false;  ///< has no dashes, goes by its place
   bool required = false;
@@ -55,10 +56,10 @@ class Flag {
   Flag* required();
   /// The help shows the value that its variable has now.
   Flag* capture_default_str();
-  /// Whether one mention may be followed by several values.
-  Flag* allow_extra_args(bool allowed);
-  /// What separates the values of a list.
-  Flag* delimiter(char separator);
+  /// Of a list: each mention takes one value, which the help calls so.
+  Flag* one_each(const std::string& value);
+  /// Of a list: each mention takes one word, values with commas between them, which the help calls so.
+  Flag* list(const std::string& values);
   /// Both together are an error.
   Flag* excludes(const Flag* other);
   /// What its value is a name of.

@@ -7,9 +7,11 @@
 #include <cmath>
 #include <memory>
 #include <string_view>
+#include <system_error>
 #include <thread>
 #include <utility>
 
+#include "base/diagnostic.h"
 #include "base/failure.h"
 #include "choices.h"
 #include "estimate.h"
@@ -17,6 +19,7 @@
 #include "host/patience.h"
 #include "host/scene_folder.h"
 #include "host/standard_streams.h"
+#include "usage.h"
 #include "values.h"
 
 namespace taut {
@@ -65,7 +68,7 @@ void SceneFlags::add_changes_to(Verb& verb) {
   verb.add_option("--method", method, "Simulate with this method, one of `taut list methods`")
       ->names_a(ValueKind::method);
   verb.add_option("--set", sets, "Change a key of the scene: key=value, any number of times")
-      ->allow_extra_args(false);
+      ->one_each("KEY=VALUE");
 }
 
 void SceneFlags::add_threads_to(Verb& verb) {
@@ -106,6 +109,9 @@ Shard chosen_shard(const std::string& text) {
 }
 
 Scene load(const std::string& argument, const SceneOverrides& overrides, bool quiet) {
+  std::error_code error;
+  if (argument.find('=') != std::string::npos && !std::filesystem::exists(argument, error))
+    throw BadRequest(fmt::format("there is no scene {}; {}", in_quotes(argument), set_hint(argument)));
   const std::filesystem::path file = find_scene(argument);
   const Patience patience(stderr, quiet, fmt::format("building {}", file.string()));
   return load_scene(file, overrides, [&](const Counts& counts) {

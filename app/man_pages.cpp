@@ -64,6 +64,7 @@ std::string heading(const std::string& name, const std::string& title, const std
 }
 
 std::string value_of(const FlagFacts& flag) {
+  if (!flag.value.empty()) return flag.value;
   switch (flag.kind) {
     case ValueKind::file:
       return "FILE";
@@ -72,7 +73,7 @@ std::string value_of(const FlagFacts& flag) {
     case ValueKind::scene:
       return "SCENE";
     case ValueKind::method:
-      return flag.takes_list ? "METHOD,…" : "METHOD";
+      return flag.takes_list ? "METHODS" : "METHOD";
     case ValueKind::text:
       break;
   }

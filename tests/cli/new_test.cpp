@@ -100,9 +100,10 @@ TEST_F(NewTest, NeverOverwrites) {
 }
 
 TEST_F(NewTest, NamesThatAreNone) {
-  for (const std::string name : {"", "../up", "a/b", "a.toml", "a b", "ä", "-", "~", "a\nb"})
+  for (const std::string name : {"../up", "a/b", "a.toml", "a b", "ä", "-", "~", "a\nb"})
     expect_refused({"--", name}, 2, "letters, digits");
   expect_refused({std::string(65, 'a')}, 2, "at most 64");
+  expect_refused({""}, 2, "NAME needs a value");
   expect_refused({}, 2, "NAME");
   expect_refused({"a", "b"}, 2, "one word too many");
 }
