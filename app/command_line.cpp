@@ -126,29 +126,30 @@ void CommandLine::add_everywhere(const std::string& names, const std::string& va
     verb->add_option(names, value, help)->envname(variable);
 }
 
-Action CommandLine::parse(int argument_count, char** arguments) {
+Asked CommandLine::parse(int argument_count, char** arguments) {
   require_values(argument_count, arguments);
   try {
     program_->parse(argument_count, arguments);
   } catch (const CLI::Success& help) {
     std::ostringstream text;
     const int status = program_->exit(help, text, text);
-    return [status, shown = text.str()] {
+    return {[status, shown = text.str()] {
       write_result(shown);
       return status;
-    };
+    }};
   } catch (const CLI::ParseError& error) {
     throw BadRequest(usage_problem(misuse(*program_, error)));
   }
   // Of several verbs the last one given counts.
-  const Action* action = nullptr;
+  Asked asked;
   for (const CLI::App* used : program_->get_subcommands()) {
     require_values(*used);
+    const CLI::Option* json = used->get_option_no_throw("--json");
     for (const Verb& verb : verbs_)
-      if (&verb.parser() == used) action = &verb.action();
+      if (&verb.parser() == used) asked = {verb.action(), json != nullptr && json->count() > 0};
   }
-  if (action == nullptr) throw BadRequest("say what to do: taut VERB …\nSee taut --help.");
-  return *action;
+  if (!asked.action) throw BadRequest("say what to do: taut VERB …\nSee taut --help.");
+  return asked;
 }
 
 }  // namespace taut
