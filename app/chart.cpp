@@ -91,7 +91,8 @@ std::vector<Scene> load_all(const ChartFlags& flags) {
 
 void print_summary(const Chart& chart, const std::string& folder) {
   const GridWalk::Counts& counts = chart.counts;
-  tell("{}: {} of {} cases{}, in {}\n", chart.scene, counts.run, counts.run + counts.open,
+  tell("{}: {} of {} cases ({} run, {} left out for adding nothing){}, in {}\n", chart.scene, counts.done(),
+       counts.all(), counts.run, counts.left_out(),
        chart.complete() ? "" : "; running the same again goes on", folder);
 }
 

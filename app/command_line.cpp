@@ -35,6 +35,7 @@ Misuse misuse(const CLI::App& program, const CLI::ParseError& error) {
   const std::vector<CLI::App*> used = program.get_subcommands();
   const CLI::App& verb = used.empty() ? program : *used.front();
   Misuse misuse{used.empty() ? "" : verb.get_name(), {}, verb.remaining(), arguments_of(verb), error.what()};
+  if (used.empty()) misuse.flags[""] = flags_of(program);
   for (const CLI::App* each : program.get_subcommands({})) misuse.flags[each->get_name()] = flags_of(*each);
   return misuse;
 }
@@ -180,29 +181,30 @@ void CommandLine::add_everywhere(const std::string& names, const std::string& va
     verb->add_option(names, value, help)->envname(variable);
 }
 
-Action CommandLine::parse(int argument_count, char** arguments) {
+Asked CommandLine::parse(int argument_count, char** arguments) {
   require_values(argument_count, arguments);
   try {
     program_->parse(argument_count, arguments);
   } catch (const CLI::Success& help) {
     std::ostringstream text;
     const int status = program_->exit(help, text, text);
-    return [status, shown = text.str()] {
+    return {[status, shown = text.str()] {
       write_result(shown);
       return status;
-    };
+    }};
   } catch (const CLI::ParseError& error) {
     throw BadRequest(usage_problem(misuse(*program_, error)));
   }
   // Of several verbs the last one given counts.
-  const Action* action = nullptr;
+  Asked asked;
   for (const CLI::App* used : program_->get_subcommands()) {
     require_values(*used);
+    const CLI::Option* json = used->get_option_no_throw("--json");
     for (const Verb& verb : verbs_)
-      if (&verb.parser() == used) action = &verb.action();
+      if (&verb.parser() == used) asked = {verb.action(), json != nullptr && json->count() > 0};
   }
-  if (action == nullptr) throw BadRequest("say what to do: taut VERB …\nSee taut --help.");
-  return *action;
+  if (!asked.action) throw BadRequest("say what to do: taut VERB …\nSee taut --help.");
+  return asked;
 }
 
 ProgramFacts CommandLine::facts() const {

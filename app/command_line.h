@@ -13,7 +13,7 @@ class Option;
 
 namespace taut {
 
-/// What a command line asks for; gives the exit status.
+/// What a verb does; gives the exit status.
 using Action = std::function<int()>;
 
 /// What a value is a name of, where it is one; shells complete it by that.
@@ -46,6 +46,12 @@ struct ProgramFacts {
   std::string name, description, footer;
   std::vector<FlagFacts> flags;
   std::vector<VerbFacts> verbs;
+};
+
+/// What a command line asks for.
+struct Asked {
+  Action action;
+  bool json = false;  ///< with --json
 };
 
 /// One of a verb's options, flags or arguments. Each call changes it and gives it back.
@@ -123,7 +129,7 @@ class CommandLine {
                       const std::string& help);
   /// What the arguments ask for; help and version are actions, too. Throws BadRequest where they make no
   /// sense.
-  Action parse(int argument_count, char** arguments);
+  Asked parse(int argument_count, char** arguments);
   /// What there is to know of all that has been added, verbs in that order.
   ProgramFacts facts() const;
 

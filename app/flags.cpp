@@ -125,6 +125,12 @@ void print_notes(const Scene& scene, bool quiet) {
   for (const std::string& note : scene.notes) tell("taut: {}\n", note);
 }
 
+void add_metrics(Verb& verb, std::string& file) {
+  verb.add_option("--metrics", file,
+                  "Also write what is measured of every frame, energies, strain, sag, breaks, speed and what "
+                  "each stage took: as .csv, or .jsonl; taut plot draws it");
+}
+
 void add_slow(Verb& verb, std::string& slow) {
   verb.add_option("--slow", slow,
                   "Slow motion: a film so many times as long, of so many times as many moments, such as 4");

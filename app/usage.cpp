@@ -32,7 +32,8 @@ std::string verbs_with(const std::string& flag, const Misuse& misuse) {
 std::string unknown_flag(const std::string& flag, const Misuse& misuse) {
   const auto own = misuse.flags.find(misuse.verb);
   if (const std::string others = verbs_with(flag, misuse); own != misuse.flags.end() && !others.empty())
-    return fmt::format("taut {} has no flag \"{}\"; {}", misuse.verb, flag, others);
+    return fmt::format("taut{}{} has no flag \"{}\"; {}", misuse.verb.empty() ? "" : " ", misuse.verb, flag,
+                       others);
   return unknown("flag", flag, own == misuse.flags.end() ? Words() : own->second);
 }
 

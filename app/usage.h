@@ -9,7 +9,8 @@ namespace taut {
 /// A command line that the parser could make no sense of.
 struct Misuse {
   std::string verb;                                       ///< that was in use; empty: none
-  std::map<std::string, std::vector<std::string>> flags;  ///< of each verb there is, with their dashes
+  std::map<std::string, std::vector<std::string>> flags;  ///< of each verb there is, with their dashes; by ""
+                                                          ///< the program's own, where no verb was in use
   std::vector<std::string> left_over;                     ///< words that nothing took
   std::vector<std::string> arguments;                     ///< words that were taken for what no flag names
   std::string complaint;                                  ///< the parser's
