@@ -128,7 +128,8 @@ void print_notes(const Scene& scene, bool quiet) {
 void add_metrics(Verb& verb, std::string& file) {
   verb.add_option("--metrics", file,
                   "Also write what is measured of every frame, energies, strain, sag, breaks, speed and what "
-                  "each stage took: as .csv, or .jsonl; taut plot draws it");
+                  "each stage took: as .csv, or .jsonl; taut plot draws it")
+      ->names_a(ValueKind::file);
 }
 
 void add_slow(Verb& verb, std::string& slow) {

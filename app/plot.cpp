@@ -12,6 +12,7 @@
 #include "base/diagnostic.h"
 #include "base/failure.h"
 #include "base/nearest.h"
+#include "choices.h"
 #include "command_line.h"
 #include "exit_status.h"
 #include "flags.h"
@@ -172,17 +173,20 @@ void add_plot(CommandLine& program) {
   const auto flags = std::make_shared<PlotFlags>();
   flags->scene.add_to(*verb, ", or a file that --metrics wrote; not needed with --motion");
   flags->scene.add_threads_to(*verb);
-  verb->add_option("--motion", flags->motion, "Plot what `taut simulate` left in this folder");
+  verb->add_option("--motion", flags->motion, "Plot what `taut simulate` left in this folder")
+      ->names_a(ValueKind::folder);
   verb->add_option(
           "--show", flags->shown,
           fmt::format("Out of {} [what says something of the run]", fmt::join(metric_plot_names(), ",")))
+      ->one_of(as_words(metric_plot_names()))
       ->list("NAMES");
   verb->add_option("--path", flags->paths, "The ways of these masses instead, such as rope.40,rope.20")
       ->list("MASSES");
   verb->add_option("--fps", flags->rate, "Points a second of film [60]");
   verb->add_option("-o,--output", flags->file,
                    "Name of the two files, with or without an ending; replaced when they exist "
-                   "[out/<scene>-plot]");
+                   "[out/<scene>-plot]")
+      ->names_a(ValueKind::file);
   verb->add_flag("--quiet", flags->quiet, "No messages but errors");
   verb->footer(
       "Example:\n  taut render hanging-chain --metrics chain.csv\n  taut plot chain.csv -o chain\n  taut "
