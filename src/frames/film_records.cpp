@@ -29,7 +29,8 @@ const FilmRecord* film_on_disk(const std::vector<FilmRecord>& films, const std::
 std::string film_name_from(const fs::path& folder, const fs::path& film) {
   std::error_code error;
   // Of absolute names: whether a folder is there yet changes nothing.
-  const fs::path relative = fs::proximate(fs::absolute(film), fs::absolute(folder), error);
+  const fs::path relative =
+      fs::proximate(fs::absolute(film), fs::absolute(folder.empty() ? "." : folder), error);
   return error ? film.string() : relative.string();
 }
 

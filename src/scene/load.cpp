@@ -183,7 +183,7 @@ void build_scene(const Node& document, Scene& scene, Reader& reader) {
   scene.model = std::move(built.model);
   scene.start = std::move(built.start);
   keep_notes(document, built.notes, reader, scene);
-  scene.settings = complete_settings(scene.settings);
+  if (reader.count() == 0) scene.settings = complete_settings(scene.settings);
   for (const std::string& problem : capability_problems(scene.model, *method))
     reader.plain(origin_of(document, {"solve", 0, "method", {}, {}}), problem);
 }

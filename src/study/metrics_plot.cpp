@@ -65,12 +65,16 @@ Value column_value(std::string_view name) {
   return [index](const FrameMetrics& row) { return row.values.at(index); };
 }
 
+// Without stages that there was nothing to do for, such as those of a film where none is made.
 TimeFigure::Panel stage_panel(const MetricsTable& metrics, const std::string& method) {
   TimeFigure::Panel panel{"ms of a processor", {}};
   for (std::size_t i = 0; i < metrics.stages.size(); ++i)
     panel.curves.push_back(curve_of(metrics, method, metrics.stages[i], i, [i](const FrameMetrics& row) {
       return i < row.stage_seconds.size() ? std::optional(1e3 * row.stage_seconds[i]) : std::nullopt;
     }));
+  std::erase_if(panel.curves, [](const PlainCurve& curve) {
+    return std::ranges::all_of(curve.points, [](const auto& point) { return point[1] == 0.0; });
+  });
   return panel;
 }
 

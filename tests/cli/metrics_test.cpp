@@ -128,6 +128,21 @@ TEST(Metrics, CanBeAskedForLater) {
   EXPECT_EQ(measured_part(read_file(folder / "seen.jsonl")), measured_part(read_file(folder / "m.jsonl")));
 }
 
+// A film without a folder of frames keeps them in its own manifest.
+TEST(Metrics, StandBesideAFilmAlone) {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("small.toml", small_scene());
+  const std::vector<std::string> words{"render", scene,       "--size",  "64x48",  "--no-frames", "--film",
+                                       "a.mp4",  "--metrics", "m.jsonl", "--json", "--quiet"};
+  ASSERT_EQ(taut(words, {}, folder.path()).status, 0);
+  const std::string first = read_file(folder / "m.jsonl");
+  EXPECT_EQ(lines_of(first).size(), 30U);
+  const Ran again = taut(words, {}, folder.path());
+  EXPECT_EQ(again.status, 0) << again.err;
+  EXPECT_EQ(read_file(folder / "m.jsonl"), first) << "the same command twice does nothing";
+  EXPECT_EQ(taut({"verify", "a.mp4"}, {}, folder.path()).status, 0);
+}
+
 TEST(Metrics, RefuseWhatTheyCannotBe) {
   const TemporaryFolder folder;
   const std::string scene = folder.write("small.toml", small_scene());

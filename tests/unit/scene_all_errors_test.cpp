@@ -86,8 +86,8 @@ TEST(AllErrors, OfTheCommandLineNameTheirKeys) {
   const std::vector<Diagnostic> errors =
       diagnostics_of(chain_with(""), {{"world.drag=-1", "pases=3", "chain.rope.mass=0"}, {}});
   ASSERT_EQ(errors.size(), 3U);
-  EXPECT_EQ(places_and_keys(errors), (Texts{"0 world.drag", "0 solve.pases", "0 chain.rope.mass"}));
-  EXPECT_EQ(errors[0].origin, "--set world.drag=-1");
+  EXPECT_EQ(places_and_keys(errors), (Texts{"0 chain.rope.mass", "0 world.drag", "0 solve.pases"}));
+  EXPECT_EQ(errors[1].origin, "--set world.drag=-1");
 }
 
 TEST(AllErrors, OfValuesWithinValuesNameTheWholePath) {
