@@ -23,7 +23,7 @@ bool there_is(const std::string& program) {
   return run_program("/bin/sh", {"-c", "command -v " + program}).status == 0;
 }
 
-Offered lines_of(const std::string& text) {
+Offered offered_lines(const std::string& text) {
   Offered lines;
   std::istringstream stream(text);
   for (std::string line; std::getline(stream, line);) lines.insert(line);
@@ -65,7 +65,7 @@ class BashCompletionsTest : public ::testing::Test {
     const Ran ran = run_program("bash", {"-c", script}, {}, folder_.path());
     EXPECT_EQ(ran.status, 0) << ran.err;
     EXPECT_EQ(ran.err, "");
-    return lines_of(ran.out);
+    return offered_lines(ran.out);
   }
 
   TemporaryFolder folder_;
@@ -153,7 +153,7 @@ TEST(Completions, OfFish) {
                      {"PATH", fs::path(TAUT_PROGRAM).parent_path().string() + ":/usr/bin:/bin"}},
                     folder.path());
     EXPECT_EQ(ran.status, 0) << ran.err;
-    return lines_of(ran.out);
+    return offered_lines(ran.out);
   };
   EXPECT_EQ(offered("taut st"), (Offered{"still", "strip", "stability"}));
   EXPECT_EQ(offered("taut render bola --quality "), (Offered{"draft", "standard", "fine"}));
