@@ -48,8 +48,8 @@ class ExportFormatsTest : public ::testing::Test {
 
 TEST_F(ExportFormatsTest, ReadBackByOthers) {
   const std::string out = folder_ / "out";
-  const Ran ran = run_program(
-      "/bin/bash", {foreign + "export_all.sh", TAUT_PROGRAM, foreign + "shapes.toml", out, "--fps", "10"});
+  const Ran ran =
+      run_program("/bin/bash", {foreign + "export_all.sh", TAUT_PROGRAM, foreign + "shapes.toml", out, "10"});
   ASSERT_EQ(ran.status, 0) << ran.err;
   expect_checked("check_arrays.py", out);
   expect_checked("check_usda.py", out);
