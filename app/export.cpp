@@ -254,7 +254,7 @@ void add_export(CommandLine& program) {
   add_certify(*verb, flags->certify);
   verb->add_flag("--quiet", flags->quiet, "No messages but errors");
   verb->footer(
-      "Examples:\n  taut export pendulum --times 0.5,1.0 --table links -o links.csv\n"
+      "Example:\n  taut export pendulum --times 0.5,1.0 --table links -o links.csv\n"
       "  taut export curtain -o curtain.npz\n"
       "  taut export curtain --format vtp -o out/curtain-vtp\n"
       "  taut export curtain --every 2 -o curtain.glb\n"
