@@ -1,3 +1,5 @@
+#include "output/export.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -5,26 +7,27 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/failure.h"
-#include "base/split.h"
 #include "choices.h"
 #include "command_line.h"
 #include "exit_status.h"
+#include "export_choice.h"
+#include "export_moments.h"
 #include "flags.h"
-#include "frames/film_frames.h"
-#include "frames/frame_selection.h"
-#include "frames/simulation.h"
-#include "frames/still.h"
+#include "frames/simulate.h"
 #include "host/patience.h"
+#include "host/progress.h"
 #include "host/standard_streams.h"
 #include "interrupted.h"
-#include "methods/registry.h"
+#include "model/measures.h"
 #include "output/atomic_file.h"
-#include "output/csv.h"
 #include "planning.h"
+#include "render/appearance.h"
 #include "values.h"
 #include "verbs.h"
 
@@ -34,157 +37,233 @@ namespace {
 struct ExportFlags {
   SceneFlags scene;
   PlanFlags plan;
-  std::string format = "csv", table = "masses", times, rate = "30", file;
+  ExportChoice choice;
+  InstantFlags instants;
+  std::string motion;
   bool quiet = false, certify = false;
 };
 
-// An instant to be exported, and the number it goes by.
-struct Instant {
-  int frame;
-  double time;  // s
+// A motion that is to be exported, and how.
+struct ExportJob {
+  Scene scene;
+  std::shared_ptr<const MotionReader> motion;  // null: the scene is simulated
+  const ExportFormat& format;
+  FrameRate rate;
+  std::vector<Instant> instants;
 };
 
-// The times of --times in rising order, numbered from 1; or those of all frames.
-std::vector<Instant> instants(const ExportFlags& flags, const Scene& scene) {
-  std::vector<Instant> result;
-  if (flags.times.empty()) {
-    const FrameRate rate = parse_frame_rate("--fps", flags.rate);
-    for (const int frame : all_frames(film_frame_count(scene, rate)))
-      result.push_back({frame, shown_time(scene, frame, rate)});
-    return result;
-  }
-  for (const std::string_view part : split(flags.times, ',')) {
-    const double time = parse_seconds("--times", part);
-    if (time < 0.0 || (!result.empty() && time <= result.back().time))
-      throw BadRequest(fmt::format("--times must rise from 0 s on, and {} s does not", time));
-    result.push_back({static_cast<int>(result.size()) + 1, time});
-  }
-  check_times(scene, {result.back().time});
-  return result;
-}
-
-// Where the table goes: a file that is only there when it is whole, or stdout.
-class Sink {
+// One file that is only there when it is whole, or stdout; or a folder of files.
+class ExportPlace {
  public:
-  explicit Sink(const std::string& file) {
-    if (file.empty() || file == "-") return;
-    sweep_leftovers(std::filesystem::path(file).parent_path());
-    pending_.emplace(file);
+  ExportPlace(const ExportChoice& choice, const ExportFormat& format) {
+    if (format.layout != ExportLayout::one_file) {
+      lock_ = make_export_folder(format, choice.output);
+      target_.folder = choice.output;
+    } else if (goes_to_stdout(choice)) {
+      target_.folder = std::filesystem::temp_directory_path();
+      target_.write = [](std::string_view bytes) { write_result(bytes); };
+    } else {
+      target_.folder = std::filesystem::path(choice.output).parent_path();
+      sweep_leftovers(target_.folder);
+      pending_.emplace(choice.output);
+      target_.write = [this](std::string_view bytes) { pending_->write(std::as_bytes(std::span(bytes))); };
+    }
   }
-  void write(const std::string& text) {
-    if (pending_)
-      pending_->write(std::as_bytes(std::span(text)));
-    else
-      write_result(text);
-  }
+  ExportPlace(const ExportPlace&) = delete;
+  ExportPlace& operator=(const ExportPlace&) = delete;
+
+  const ExportTarget& target() const { return target_; }
   void finish() {
     if (pending_) pending_->commit();
     if (!pending_) finish_results();
   }
 
  private:
+  std::unique_ptr<FolderLock> lock_;
   std::optional<PendingFile> pending_;
+  ExportTarget target_;
 };
 
-enum class Table { masses, links, orientations };
-constexpr std::array<std::string_view, 3> table_names{"masses", "links", "orientations"};
-constexpr std::array<std::string_view, 1> formats{"csv"};
-
-Table parse_table(const std::string& text) {
-  if (text == "masses") return Table::masses;
-  if (text == "links") return Table::links;
-  if (text == "orientations") return Table::orientations;
-  not_one_of("--table", text, table_names);
+ExportJob job_of_motion(const ExportFlags& flags, const ExportFormat& format) {
+  if (!flags.scene.scene.empty()) throw BadRequest("a SCENE and --motion are two things to export: name one");
+  if (!flags.plan.accuracy.empty() || flags.certify || !flags.scene.method.empty())
+    throw BadRequest(
+        "with --motion nothing is simulated: neither --method nor --accuracy nor --certify goes with it");
+  const StoredMotion motion = open_motion(flags.motion);
+  Scene scene = scene_of_motion(motion, flags.motion, flags.scene.overrides());
+  require_same_motion(scene, motion);
+  const FrameRate rate = parse_frame_rate(
+      "--fps", flags.instants.rate.empty() ? motion.manifest.frame_rate : flags.instants.rate);
+  std::vector<Instant> instants = chosen_instants(flags.instants, scene, rate);
+  for (const Instant& instant : instants)
+    if (motion.reader->find(instant.time) == nullptr)
+      throw BadRequest(fmt::format("{} has no moment at {} s; it has those of {} frames a second",
+                                   flags.motion, instant.time, motion.manifest.frame_rate));
+  return {std::move(scene), motion.reader, format, rate, std::move(instants)};
 }
 
-std::string header(Table table) {
-  switch (table) {
-    case Table::masses:
-      return mass_table_header();
-    case Table::links:
-      return link_table_header();
-    case Table::orientations:
-      return orientation_table_header();
+ExportJob job_of_scene(const ExportFlags& flags, const ExportFormat& format) {
+  if (flags.scene.scene.empty())
+    throw BadRequest("there is nothing to export: name a SCENE, or --motion FOLDER");
+  Scene scene = load(flags.scene.scene, flags.scene.overrides(), flags.quiet);
+  const FrameRate rate = parse_frame_rate("--fps", flags.instants.rate.empty() ? "30" : flags.instants.rate);
+  std::vector<Instant> instants = chosen_instants(flags.instants, scene, rate);
+  return {std::move(scene), nullptr, format, rate, std::move(instants)};
+}
+
+ExportJob job_of(const ExportFlags& flags) {
+  const ExportFormat& format = chosen_format(flags.choice);
+  ExportJob job = flags.motion.empty() ? job_of_scene(flags, format) : job_of_motion(flags, format);
+  if (format.evenly && !flags.instants.times.empty() && !are_even(job.instants))
+    throw BadRequest(fmt::format("{} takes instants that are an equal time apart, which --times {} are not",
+                                 format.name, flags.instants.times));
+  return job;
+}
+
+// Cloth and net, and all colours, as the scene's look has them.
+ExportSubject subject_of(const ExportJob& job, ExportTable table) {
+  const Look& look = job.scene.look;
+  ExportSubject subject{job.scene.model, job.scene.start, job.scene.title, {}, job.rate};
+  subject.table = table;
+  subject.times.reserve(job.instants.size());
+  for (const Instant& instant : job.instants) subject.times.push_back(instant.time);
+  for (std::size_t i = 0; i < job.scene.model.sheets.size(); ++i) {
+    const ObjectLook& own = look_of(look.objects.sheets, i);
+    subject.faces.push_back(own.draw ? std::ranges::count(*own.draw, "surface") > 0 : look.surface);
+    subject.colours.sheets.push_back(own.colour.value_or(look.surface_colour));
   }
-  return {};
+  subject.colours.links = look.link_colour;
+  subject.colours.masses = look.mass_colour;
+  return subject;
 }
 
-// A method knows tensions once it has made a step, or never.
-bool tension_known(const Scene& scene, const State& state) {
-  return find_method(scene.settings.method)->can.tension_order > 0 && state.time > scene.start.time;
+// What became of an export that was interrupted before an instant.
+std::string what_became(const ExportFlags& flags, const ExportJob& job, std::size_t done) {
+  if (job.format.layout == ExportLayout::file_a_frame)
+    return fmt::format("{} of {} frames are there", done, job.instants.size());
+  if (goes_to_stdout(flags.choice) && job.format.streams)
+    return fmt::format("the table ends before {} s", job.instants[done].time);
+  return "no file was written";
 }
 
-std::string rows(Table table, const Scene& scene, const State& state, int frame) {
-  switch (table) {
-    case Table::masses:
-      return mass_table_rows(scene.model, state, frame);
-    case Table::links:
-      return link_table_rows(scene.model, state, frame, tension_known(scene, state));
-    case Table::orientations:
-      return orientation_table_rows(scene.model, scene.start, state, frame);
+// What the format can't show of what happened.
+void tell_of_breaks(const ExportFormat& format, const State& last) {
+  const std::size_t broken = broken_links(last);
+  if (broken == 0 || format.shows_breaks) return;
+  tell("taut: note: {} {} broken at {} s, and {} shows none of it: what it holds stays whole\n", broken,
+       broken == 1 ? "link is" : "links are", last.time, format.name);
+}
+
+// Writes every instant, and leaves the state at the last. Returns how many; fewer than asked for when told to
+// stop.
+std::size_t write_instants(const ExportJob& job, ExportTable table, MomentSource& source,
+                           std::optional<Certifier>& certifier, MotionExport& writer, Progress& progress,
+                           const StopTest& stop, std::optional<State>& last) {
+  progress.start(static_cast<int>(job.instants.size()));
+  for (std::size_t i = 0; i < job.instants.size(); ++i) {
+    const auto [frame, time] = job.instants[i];
+    if (certifier) certifier->see_until(*source.simulation(), time);
+    std::optional<State> state = source.at(time, stop);
+    if (!state) return i;
+    ExportMoment moment{frame, *state, source.tension_known(time)};
+    if (table == ExportTable::energy) moment.measures = source.measures();
+    writer.add(moment);
+    last = std::move(state);
+    progress.update(static_cast<int>(i) + 1);
   }
-  return {};
+  writer.finish();
+  progress.finish();
+  return job.instants.size();
+}
+
+int certify(const ExportFlags& flags, const ExportJob& job, MomentSource& source, Certifier& certifier,
+            const InterruptWatch& interrupts) {
+  return unless_interrupted(interrupts, "the table is whole, but there is no certificate", [&] {
+    certifier.see_until(*source.simulation(), job.scene.duration);
+    const Certificate certificate = certifier.finish();
+    if (!flags.quiet) print_certificate(certificate);
+    return exit_done;
+  });
 }
 
 int export_motion(const ExportFlags& flags) {
-  if (flags.format != formats.front()) not_one_of("--format", flags.format, formats);
-  const Table table = parse_table(flags.table);
+  const ExportTable table = parse_export_table(flags.choice.table);
   const Execution execution = on_threads(flags.scene.thread_count(flags.certify ? 1 : 0));
-  Scene scene = load(flags.scene.scene, flags.scene.overrides(), flags.quiet);
-  print_notes(scene, flags.quiet);
-  const std::vector<Instant> wanted = instants(flags, scene);
+  ExportJob job = job_of(flags);
+  print_notes(job.scene, flags.quiet);
   const InterruptWatch interrupts(end_at_once);
   return unless_interrupted(interrupts, "nothing was written", [&]() -> int {
     const StopTest stop = stop_test(interrupts);
-    const std::optional<Plan> plan = settle_method(scene, flags.plan, flags.scene.method, flags.quiet, stop);
-    const Patience patience(stderr, flags.quiet, "at the table");
-    Simulation simulation(scene, execution);
+    std::optional<Plan> plan;
+    if (!job.motion) plan = settle_method(job.scene, flags.plan, flags.scene.method, flags.quiet, stop);
+    const bool to_stdout = goes_to_stdout(flags.choice);
+    const Patience patience(stderr, flags.quiet || !to_stdout, "at the export");
+    Progress progress(stderr, to_stdout ? ProgressStyle::none : progress_style(stderr, flags.quiet),
+                      "frames");
+    MomentSource source(job.scene, job.motion, execution);
     std::optional<Certifier> certifier;
-    if (flags.certify) certifier.emplace(scene, stop);
-    Sink sink(flags.file);
-    sink.write(header(table));
-    for (const Instant& instant : wanted) {
-      if (certifier) certifier->see_until(simulation, instant.time);
-      const std::optional<State> state = simulation.at(instant.time, stop);
-      if (!state)
-        return report_interrupted(interrupts, flags.file.empty()
-                                                  ? fmt::format("the table ends before {} s", instant.time)
-                                                  : "no file was written");
-      sink.write(rows(table, scene, simulation.reported(*state), instant.frame));
+    if (flags.certify) certifier.emplace(job.scene, stop);
+    ExportPlace place(flags.choice, job.format);
+    const std::unique_ptr<MotionExport> writer = job.format.make(subject_of(job, table), place.target());
+    std::size_t done = 0;
+    std::optional<State> last;
+    try {
+      done = write_instants(job, table, source, certifier, *writer, progress, stop, last);
+    } catch (...) {
+      writer->end_early();
+      throw;
     }
-    sink.finish();
+    if (done < job.instants.size()) {
+      writer->end_early();
+      progress.finish();
+      return report_interrupted(interrupts, what_became(flags, job, done));
+    }
+    place.finish();
+    if (!flags.quiet) tell_of_breaks(job.format, *last);
     if (plan && !flags.quiet) print_accuracy(*plan);
-    if (!certifier) return exit_done;
-    return unless_interrupted(interrupts, "the table is whole, but there is no certificate", [&] {
-      certifier->see_until(simulation, scene.duration);
-      const Certificate certificate = certifier->finish();
-      if (!flags.quiet) print_certificate(certificate);
-      return exit_done;
-    });
+    return certifier ? certify(flags, job, source, *certifier, interrupts) : exit_done;
   });
+}
+
+std::string format_help() {
+  return fmt::format("One of {}; `taut list formats` says more [by the ending of -o, or csv]",
+                     fmt::join(export_format_names(), ", "));
 }
 
 }  // namespace
 
 void add_export(CommandLine& program) {
-  Verb* verb = program.add_subcommand("export", "The motion of a scene as a table, for other tools");
+  Verb* verb =
+      program.add_subcommand("export", "The motion of a scene for other tools: tables, meshes, animations");
   const auto flags = std::make_shared<ExportFlags>();
-  flags->scene.add_to(*verb);
+  flags->scene.add_to(*verb, "; not needed with --motion");
   flags->scene.add_threads_to(*verb);
-  verb->add_option("--format", flags->format, "csv")->one_of(as_words(formats))->capture_default_str();
-  verb->add_option("--table", flags->table, "masses, links or orientations")
-      ->one_of(as_words(table_names))
-      ->capture_default_str();
-  verb->add_option("--times", flags->times,
-                   "These instants, exactly, such as 0.5,1.0; else those of all frames");
-  verb->add_option("--fps", flags->rate, "Frames per second, such as 30 or 24000/1001")
-      ->capture_default_str();
-  verb->add_option("-o,--output", flags->file, "The file; replaced when it exists [stdout]")
+  verb->add_option("--format", flags->choice.format, format_help())
+      ->one_of(as_words(export_format_names()));
+  verb->add_option("--table", flags->choice.table,
+                   "Of csv and npz: masses, links, orientations or energy [masses; npz: masses and links]")
+      ->one_of(as_words(export_table_names));
+  verb->add_option("--motion", flags->motion,
+                   "Export what `taut simulate` left in this folder instead of simulating a SCENE")
+      ->names_a(ValueKind::folder);
+  verb->add_option("--times", flags->instants.times,
+                   "These instants, exactly, such as 0.5,1.0; else those of all frames")
+      ->with_commas();
+  verb->add_option("--fps", flags->instants.rate,
+                   "Frames per second, such as 30 or 24000/1001 [30, or those of the motion]");
+  verb->add_option("--every", flags->instants.every, "Only every so many frames, such as 2");
+  verb->add_option("-o,--output", flags->choice.output,
+                   "The file, or the folder of files; replaced when it exists [stdout]")
       ->names_a(ValueKind::file);
   flags->plan.add_to(*verb);
   add_certify(*verb, flags->certify);
   verb->add_flag("--quiet", flags->quiet, "No messages but errors");
-  verb->footer("Example:\n  taut export pendulum --format csv --times 0.5,1.0 --table links -o links.csv");
+  verb->footer(
+      "Example:\n  taut export pendulum --times 0.5,1.0 --table links -o links.csv\n"
+      "  taut export curtain -o curtain.npz\n"
+      "  taut export curtain --format vtp -o out/curtain-vtp\n"
+      "  taut export curtain --every 2 -o curtain.glb\n"
+      "  taut export --motion motion --format pc2 -o out/curtain-pc2");
   verb->action([flags] { return export_motion(*flags); });
 }
 

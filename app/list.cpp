@@ -13,6 +13,7 @@
 #include "host/scene_folder.h"
 #include "host/standard_streams.h"
 #include "methods/registry.h"
+#include "output/export.h"
 #include "render/gl_context.h"
 #include "scene/scene.h"
 #include "verbs.h"
@@ -22,7 +23,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<std::string_view, 4> listed{"scenes", "methods", "keys", "gl"};
+constexpr std::array<std::string_view, 5> listed{"scenes", "methods", "keys", "formats", "gl"};
 
 struct ListFlags {
   std::string what;
@@ -155,6 +156,35 @@ void list_gl(bool as_json) {
   if (as_json) print_result("{}\n", json.dump(2));
 }
 
+std::string_view layout_text(ExportLayout layout) {
+  switch (layout) {
+    case ExportLayout::one_file:
+      return "one file";
+    case ExportLayout::file_a_frame:
+      return "a file a frame";
+    case ExportLayout::folder:
+      break;
+  }
+  return "a folder";
+}
+
+void list_formats(bool as_json) {
+  Json json = Json::array();
+  for (const ExportFormat& format : export_formats()) {
+    json.push_back({{"name", format.name},
+                    {"ending", format.ending},
+                    {"files", layout_text(format.layout)},
+                    {"carries", format.carries},
+                    {"summary", format.summary},
+                    {"tables", format.tables},
+                    {"shows_breaks", format.shows_breaks}});
+    if (!as_json)
+      print_result("{:<5} {}\n      {}: {}{}\n", format.name, format.summary, layout_text(format.layout),
+                   format.carries, format.shows_breaks ? "" : "; what breaks doesn't show");
+  }
+  if (as_json) print_result("{}\n", json.dump(2));
+}
+
 int list(const ListFlags& flags) {
   if (flags.what == "scenes")
     list_scenes(flags.json);
@@ -162,6 +192,8 @@ int list(const ListFlags& flags) {
     list_methods(flags.json);
   else if (flags.what == "keys")
     list_keys(flags.json);
+  else if (flags.what == "formats")
+    list_formats(flags.json);
   else if (flags.what == "gl")
     list_gl(flags.json);
   else
@@ -173,9 +205,9 @@ int list(const ListFlags& flags) {
 
 void add_list(CommandLine& program) {
   Verb* verb = program.add_subcommand(
-      "list", "What there is: scenes, methods, the keys of a scene file, or ways to draw");
+      "list", "What there is: scenes, methods, the keys of a scene file, formats to export, or ways to draw");
   const auto flags = std::make_shared<ListFlags>();
-  verb->add_option("WHAT", flags->what, "scenes, methods, keys or gl")->one_of(as_words(listed))->required();
+  verb->add_option("WHAT", flags->what, "scenes, methods, keys, formats or gl")->one_of(as_words(listed))->required();
   verb->add_flag("--json", flags->json, "Print an array of objects as JSON");
   verb->footer("Example:\n  taut list methods --json");
   verb->action([flags] { return list(*flags); });

@@ -22,14 +22,6 @@ struct RenderFlags {
   std::string motion;
 };
 
-// The motion's own scene where none is named, with its camera and look.
-Scene scene_of(const RenderFlags& flags, const std::optional<StoredMotion>& motion) {
-  if (!flags.scene.scene.empty()) return load(flags.scene.scene, flags.scene.overrides(), flags.output.quiet);
-  Scene scene = parse_scene(motion->manifest.scene_toml, flags.motion, flags.scene.overrides());
-  scene.name = motion->manifest.scene;
-  return scene;
-}
-
 // Only camera and look are the command line's: how it moves is settled.
 int draw_motion(const RenderFlags& flags) {
   if (!flags.plan.accuracy.empty() || flags.output.certify)
@@ -38,7 +30,9 @@ int draw_motion(const RenderFlags& flags) {
     throw BadRequest(
         "a motion has the moments that it was simulated for: taut simulate --slow makes more of them");
   const StoredMotion motion = open_motion(flags.motion);
-  Scene scene = scene_of(flags, motion);
+  Scene scene = flags.scene.scene.empty()
+                    ? scene_of_motion(motion, flags.motion, flags.scene.overrides())
+                    : load(flags.scene.scene, flags.scene.overrides(), flags.output.quiet);
   require_same_motion(scene, motion);
   print_notes(scene, flags.output.quiet);
   flags.output.apply_to(scene);

@@ -9,10 +9,10 @@ set -euo pipefail
 
 to_build=(ca-certificates cmake ninja-build g++ pkg-config
   libeigen3-dev libfmt-dev nlohmann-json3-dev libcli11-dev libtomlplusplus-dev
-  libglm-dev libhwy-dev libosmesa6-dev libegl-dev libgl-dev libstb-dev libisal-dev libtiff-dev)
+  libglm-dev libhwy-dev libosmesa6-dev libegl-dev libgl-dev libstb-dev libisal-dev libtiff-dev libarchive-dev)
 to_run=(ffmpeg gnuplot-nox fonts-dejavu-core)
 to_test=(libgtest-dev libbenchmark-dev libbullet-dev libmujoco-dev libdeflate-dev libgmp-dev clang libclang-rt-dev clang-format clang-tidy pngcheck ccache parallel
-  chromium-headless-shell)
+  chromium-headless-shell libassimp-dev python3-numpy python3-pandas)
 to_package=(dpkg-dev file)
 
 case "${1:-run}" in

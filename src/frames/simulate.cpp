@@ -158,6 +158,13 @@ StoredMotion open_motion(const fs::path& folder) {
   return {*manifest, std::make_shared<const MotionReader>(folder / motion_file_name)};
 }
 
+Scene scene_of_motion(const StoredMotion& motion, const std::string& folder,
+                      const SceneOverrides& overrides) {
+  Scene scene = parse_scene(motion.manifest.scene_toml, folder, overrides);
+  scene.name = motion.manifest.scene;
+  return scene;
+}
+
 void require_same_motion(const Scene& scene, const StoredMotion& motion) {
   const FrameRate rate = frame_rate_from(motion.manifest.frame_rate).value_or(FrameRate{});
   if (motion_manifest(scene, rate, {}).inputs == motion.reader->inputs()) return;

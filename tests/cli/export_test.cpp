@@ -76,6 +76,14 @@ TEST_F(ExportTest, FramesAreThoseOfAFilm) {
   EXPECT_EQ(rows[3][1], "0.1");
 }
 
+TEST_F(ExportTest, EverySecondFrameKeepsItsNumber) {
+  const auto rows = rows_of(taut({"export", scene_, "--fps", "10", "--every", "3"}).out);
+  ASSERT_EQ(rows.size(), 1U + 2U * 4U);
+  EXPECT_EQ(rows[3][0], "4");
+  EXPECT_EQ(rows[3][1], "0.3");
+  EXPECT_EQ(rows[8][0], "10");
+}
+
 TEST_F(ExportTest, LinksHaveStrainTensionAndBreak) {
   const auto rows = rows_of(taut({"export", scene_, "--times", "0.3,0.9", "--table", "links"}).out);
   ASSERT_EQ(rows.size(), 3U);
@@ -88,6 +96,26 @@ TEST_F(ExportTest, LinksHaveStrainTensionAndBreak) {
   ASSERT_EQ(rows[2].size(), 10U);
   for (const std::size_t empty : {6U, 7U, 8U}) EXPECT_EQ(rows[2][empty], "") << empty;
   EXPECT_NEAR(std::stod(rows[2][9]), 0.53, 0.05) << "it passes 29 N shortly before its lowest point";
+}
+
+// Of a mass of 1 kg, whose link breaks on the way: the rest follows from where it is and how fast.
+TEST_F(ExportTest, EnergiesAreThoseOfTheMasses) {
+  const auto energies = rows_of(taut({"export", scene_, "--times", "0,0.3,0.9", "--table", "energy"}).out);
+  const auto masses = rows_of(taut({"export", scene_, "--times", "0,0.3,0.9"}).out);
+  ASSERT_EQ(energies.size(), 4U);
+  EXPECT_EQ(energies[0], (std::vector<std::string>{"frame", "time", "kinetic", "potential", "elastic",
+                                                   "total", "pin_work", "load_work", "broken_energy"}));
+  for (std::size_t i = 1; i < energies.size(); ++i) {
+    const auto& bob = masses[2 * i];
+    ASSERT_EQ(bob[3], "bob");
+    EXPECT_EQ(energies[i][1], bob[1]);
+    const double vx = std::stod(bob[7]), vy = std::stod(bob[8]), vz = std::stod(bob[9]);
+    EXPECT_NEAR(std::stod(energies[i][2]), 0.5 * (vx * vx + vy * vy + vz * vz), 1e-12);
+    EXPECT_NEAR(std::stod(energies[i][3]), 9.81 * std::stod(bob[5]), 1e-12);
+    EXPECT_EQ(energies[i][4], "0");
+    EXPECT_NEAR(std::stod(energies[i][5]), 0.0, 1e-3) << "none is lost";
+    for (const std::size_t none : {6U, 7U, 8U}) EXPECT_EQ(energies[i][none], "0") << none;
+  }
 }
 
 // What xpbd leaves of a stretch stands beside the length it should have.

@@ -49,6 +49,7 @@ bool is_whole(const std::string& name, const std::string& content) {
   if (ending == ".svg") return content.find("</svg>") != std::string::npos;
   if (ending == ".json") return nlohmann::json::accept(content);
   if (ending == ".html") return content.find("</html>") != std::string::npos;
+  if (ending == ".npz") return content.find("PK\5\6") != std::string::npos;
   if (ending == ".mp4") return content.find("moov") != std::string::npos;
   return ending == ".jsonl" || content.ends_with('\n');
 }
@@ -57,7 +58,8 @@ bool is_whole(const std::string& name, const std::string& content) {
 bool is_the_same_always(const std::string& name) {
   const std::string ending = fs::path(name).extension();
   return ending == ".mp4" || name.ends_with("cells.csv") || name.ends_with("sag.csv") ||
-         name == "table.csv" || (ending == ".png" && !name.starts_with("chart"));
+         name == "table.csv" || ending == ".npz" || ending == ".vtp" ||
+         (ending == ".png" && !name.starts_with("chart"));
 }
 
 class FaultsTest : public ::testing::TestWithParam<Verb> {
@@ -155,6 +157,8 @@ INSTANTIATE_TEST_SUITE_P(
         Verb{"still", "still small.toml --at 0.5 --size 64x48 -o still.png", 0, {"still.png"}},
         Verb{"strip", "strip small.toml --count 2 --size 64x48 -o strip.png", 0, {"strip.png"}},
         Verb{"export", "export small.toml --times 0.1,0.2,0.3 -o table.csv", 0, {"table.csv"}},
+        Verb{"arrays", "export small.toml --times 0.1,0.2,0.3 -o arrays.npz", 0, {"arrays.npz"}},
+        Verb{"series", "export small.toml --times 0.1,0.2 --format vtp -o vtp", 0, {}},
         Verb{"sag", "sag small.toml --passes 1 --size 64x48 -o sag", 0, {}, 4},
         Verb{"chart",
              "chart small.toml --methods xpbd --errors energy --budget 0.01s --horizon 0.1s -o chart",

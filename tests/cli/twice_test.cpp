@@ -50,6 +50,8 @@ TEST_F(TwiceTest, AnyVerb) {
   expect_twice({"stability", "level-chain", "--methods", "xpbd", "--axes", "step,mass-ratio", "--grid", "2x2",
                 "--duration", "0.1", "-o", "maps"});
   expect_twice({"export", "small.toml", "-o", "small.csv"});
+  expect_twice({"export", "small.toml", "-o", "small.npz"});
+  expect_twice({"export", "small.toml", "--format", "vtp", "-o", "small-vtp"});
   expect_twice({"merge", "out/small"});
   expect_twice({"merge", "out/small", "--film", "merged.mp4"});
   expect_twice({"verify", "out/small"});

@@ -55,6 +55,10 @@ struct StoredMotion {
 /// Opens a folder that simulate_motion() made. Throws BadRequest where it is none.
 StoredMotion open_motion(const std::filesystem::path& folder);
 
+/// The scene that a motion was made from, with its camera and look, and changes. `folder` is only named in
+/// errors. Throws BadRequest with all of its errors.
+Scene scene_of_motion(const StoredMotion& motion, const std::string& folder, const SceneOverrides& overrides);
+
 /// Throws BadRequest where a scene doesn't move as in a stored motion.
 void require_same_motion(const Scene& scene, const StoredMotion& motion);
 
