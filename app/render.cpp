@@ -25,8 +25,12 @@ struct RenderFlags {
 // The motion's own scene where none is named, with its camera and look.
 Scene scene_of(const RenderFlags& flags, const std::optional<StoredMotion>& motion) {
   if (!flags.scene.scene.empty()) return load(flags.scene.scene, flags.scene.overrides(), flags.output.quiet);
-  Scene scene = parse_scene(motion->manifest.scene_toml, flags.motion, flags.scene.overrides());
-  scene.name = motion->manifest.scene;
+  const Manifest& manifest = motion->manifest;
+  const std::string file = manifest.folder.empty()
+                               ? flags.motion
+                               : (std::filesystem::path(manifest.folder) / manifest.scene).string();
+  Scene scene = parse_scene(manifest.scene_toml, file, flags.scene.overrides());
+  scene.name = manifest.scene;
   return scene;
 }
 

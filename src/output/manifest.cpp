@@ -45,6 +45,7 @@ Manifest from_json(const Json& json) {
   manifest.scene = json.at("scene").get<std::string>();
   manifest.scene_toml = json.at("scene_toml").get<std::string>();
   for (const Json& toml : json.at("other_tomls")) manifest.other_tomls.push_back(toml.get<std::string>());
+  manifest.folder = json.value("folder", "");
   manifest.method = json.at("method").get<std::string>();
   for (const auto& [name, value] : json.at("settings").items()) {
     if (value.is_number())
@@ -88,31 +89,32 @@ std::string inputs_of(const Manifest& manifest) {
 }
 
 std::string manifest_text(const Manifest& manifest) {
-  const Json json{{"taut_manifest", format_version},
-                  {"kind", manifest.kind},
-                  {"inputs", manifest.inputs},
-                  {"physics", manifest.physics},
-                  {"drawing", manifest.drawing},
-                  {"build", manifest.build},
-                  {"scene", manifest.scene},
-                  {"method", manifest.method},
-                  {"settings", settings_to_json(manifest)},
-                  {"plan", manifest.plan},
-                  {"halvings", manifest.halvings},
-                  {"width", manifest.size.width},
-                  {"height", manifest.size.height},
-                  {"bits", manifest.bits},
-                  {"frames_per_second", manifest.frames_per_second},
-                  {"frame_rate", manifest.frame_rate},
-                  {"frame_count", manifest.frame_count},
-                  {"colour_range", manifest.colour_range},
-                  {"picture", manifest.picture},
-                  {"drawn_by", manifest.drawn_by},
-                  {"films", films_to_json(manifest)},
-                  {"scene_toml", manifest.scene_toml},
-                  {"other_tomls", manifest.other_tomls},
-                  {"frames", frames_to_json(manifest, &FrameRecord::state)},
-                  {"contents", frames_to_json(manifest, &FrameRecord::content)}};
+  Json json{{"taut_manifest", format_version},
+            {"kind", manifest.kind},
+            {"inputs", manifest.inputs},
+            {"physics", manifest.physics},
+            {"drawing", manifest.drawing},
+            {"build", manifest.build},
+            {"scene", manifest.scene},
+            {"method", manifest.method},
+            {"settings", settings_to_json(manifest)},
+            {"plan", manifest.plan},
+            {"halvings", manifest.halvings},
+            {"width", manifest.size.width},
+            {"height", manifest.size.height},
+            {"bits", manifest.bits},
+            {"frames_per_second", manifest.frames_per_second},
+            {"frame_rate", manifest.frame_rate},
+            {"frame_count", manifest.frame_count},
+            {"colour_range", manifest.colour_range},
+            {"picture", manifest.picture},
+            {"drawn_by", manifest.drawn_by},
+            {"films", films_to_json(manifest)},
+            {"scene_toml", manifest.scene_toml},
+            {"other_tomls", manifest.other_tomls},
+            {"frames", frames_to_json(manifest, &FrameRecord::state)},
+            {"contents", frames_to_json(manifest, &FrameRecord::content)}};
+  if (!manifest.folder.empty()) json["folder"] = manifest.folder;
   constexpr int indent = 1;
   return json.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n";
 }

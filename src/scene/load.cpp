@@ -10,6 +10,7 @@
 #include "base/nearest.h"
 #include "changes.h"
 #include "methods/registry.h"
+#include "read_files.h"
 #include "scene/scene.h"
 #include "section.h"
 #include "toml_text.h"
@@ -174,7 +175,7 @@ void build_scene(const Node& document, Scene& scene, Reader& reader) {
   scene.model = std::move(built.model);
   scene.start = std::move(built.start);
   if (scene.model.masses.size() == 0)
-    reader.plain({}, "the scene has no masses: it needs a [[chain]], a [[sheet]] or a [[mass]]");
+    reader.plain({}, "the scene has no masses: it needs a [[chain]], a [[sheet]], a [[mesh]] or a [[mass]]");
   keep_notes(document, built.notes, reader, scene);
   check_follow(document, scene, reader);
   check_trails(document, scene, reader);
@@ -217,8 +218,14 @@ Scene parse_scene(const std::string& text, const std::string& file, const SceneO
   const std::vector<Section> sections = all_sections();
   Reader reader(file, change_names(overrides), homes_of(sections));
   Scene scene = read_document(document, sections, reader);
+  std::vector<Problem> file_notes;
+  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+  report_problems(document, read_files(scene.description, folder, file_notes), reader);
+  if (!scene.description.meshes.empty() || !scene.description.points.empty())
+    scene.folder = std::filesystem::absolute(folder / ".").lexically_normal().string();
   if (before_building && reader.count() == 0) before_building(count(scene.description));
   build_scene(document, scene, reader);
+  if (reader.count() == 0) keep_notes(document, file_notes, reader, scene);
   diagnostics.insert(diagnostics.end(), reader.diagnostics().begin(), reader.diagnostics().end());
   if (!diagnostics.empty())
     throw BadRequest(to_text(std::move(diagnostics), body, most_shown, reader.left_out()));
