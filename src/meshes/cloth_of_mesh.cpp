@@ -72,6 +72,10 @@ class ClothMaker {
     places_.reserve(raw_.vertices.size());
     for (std::size_t i = 0; i < raw_.vertices.size(); ++i) {
       const Vec3& at = raw_.vertices[i];
+      if (!at.allFinite())
+        throw BadRequest(
+            fmt::format("{}: vertex {}, counted from 0, is at no place: its coordinates are no numbers",
+                        place_in(spec_.file, raw_.vertex_line, i), i));
       const Vec3 upright = spec_.up == UpAxis::z ? Vec3(at.x(), at.z(), -at.y()) : at;
       places_.push_back(spec_.position + turn * (spec_.scale * upright));
       if (!(places_.back().cwiseAbs().maxCoeff() <= farthest))

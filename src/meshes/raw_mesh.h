@@ -30,7 +30,9 @@ std::string place_in(std::string_view called, const std::vector<std::size_t>& li
 /// BadRequest with the line of what is wrong.
 RawMesh parse_obj(std::string_view text, const std::string& called);
 
-/// A mesh out of the bytes of a PLY or STL file (`kind`: "ply", "stl"). Throws BadRequest.
-RawMesh parse_ply_or_stl(const std::string& bytes, const std::string& kind, const std::string& called);
+/// A mesh out of the bytes of a PLY file, and of an STL file of bytes or of text, of which each named solid
+/// is a group. Throws BadRequest.
+RawMesh parse_ply(const std::string& bytes, const std::string& called);
+RawMesh parse_stl(std::string_view bytes, const std::string& called);
 
 }  // namespace taut

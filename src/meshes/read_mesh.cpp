@@ -33,7 +33,9 @@ MeshReading read_mesh(const std::filesystem::path& file, const MeshSpec& spec) {
   const std::string bytes = file_bytes(file, spec.file);
   MeshReading reading;
   reading.content = Hash().add(bytes).hex();
-  const RawMesh raw = kind == "obj" ? parse_obj(bytes, spec.file) : parse_ply_or_stl(bytes, kind, spec.file);
+  const RawMesh raw = kind == "obj"   ? parse_obj(bytes, spec.file)
+                      : kind == "ply" ? parse_ply(bytes, spec.file)
+                                      : parse_stl(bytes, spec.file);
   reading.data = std::make_shared<const MeshData>(cloth_of_mesh(raw, spec, reading.notes));
   return reading;
 }

@@ -123,7 +123,7 @@ class MeshCutter {
 
   // Gives the vertex at the corner.
   Index add_kite(Index torn, Index corner) {
-    const auto [triangle, broken] = made_.torn[torn];
+    const Index triangle = made_.torn[torn].triangle;
     const Index next = after(corner), before = after(next);
     glm::vec3 at_corner(0.0F);
     at_corner[static_cast<int>(corner)] = 1.0F;

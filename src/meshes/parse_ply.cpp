@@ -75,26 +75,19 @@ void add_part(const aiMesh& part, const std::string& called, RawMesh& mesh) {
 
 }  // namespace
 
-RawMesh parse_ply_or_stl(const std::string& bytes, const std::string& kind, const std::string& called) {
-  const bool ply = kind == "ply";
-  if (ply && !bytes.starts_with("ply"))
+RawMesh parse_ply(const std::string& bytes, const std::string& called) {
+  if (!bytes.starts_with("ply"))
     throw BadRequest(fmt::format("{}: not a PLY file, which begins with \"ply\"", called));
   Assimp::Importer importer;
-  const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, kind.c_str());
+  const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, "ply");
   if (scene == nullptr) {
     std::string reason = importer.GetErrorString();
     std::ranges::replace(reason, '\n', ' ');
-    throw BadRequest(
-        fmt::format("{}: not a whole {} file: {}", called, ply ? "PLY" : "STL", in_quotes(reason)));
+    throw BadRequest(fmt::format("{}: not a whole PLY file: {}", called, in_quotes(reason)));
   }
   RawMesh mesh;
   for (unsigned i = 0; i < scene->mNumMeshes; ++i) add_part(*scene->mMeshes[i], called, mesh);
-  if (ply) find_lines(bytes, mesh);
-  for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
-    if (!mesh.vertices[i].allFinite())
-      throw BadRequest(
-          fmt::format("{}: vertex {}, counted from 0, is at no place: its coordinates are no numbers",
-                      place_in(called, mesh.vertex_line, i), i));
+  find_lines(bytes, mesh);
   return mesh;
 }
 
