@@ -8,7 +8,7 @@ set -euo pipefail
 
 to_build=(ca-certificates cmake ninja-build g++ pkg-config
   libeigen3-dev libfmt-dev nlohmann-json3-dev libcli11-dev libtomlplusplus-dev
-  libglm-dev libhwy-dev libosmesa6-dev libegl-dev libgl-dev libstb-dev libisal-dev libtiff-dev libassimp-dev)
+  libglm-dev libhwy-dev libosmesa6-dev libegl-dev libgl-dev libstb-dev libisal-dev libtiff-dev)
 to_run=(ffmpeg gnuplot-nox fonts-dejavu-core)
 to_test=(libgtest-dev libbenchmark-dev libbullet-dev libmujoco-dev libdeflate-dev libgmp-dev clang libclang-rt-dev clang-format clang-tidy pngcheck ccache parallel
   chromium-headless-shell)

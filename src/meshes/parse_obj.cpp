@@ -14,7 +14,7 @@
 #include "raw_mesh.h"
 
 // Read here, and not by a library, because of what those that there are lose: Assimp gives every face corners
-// of its own, so that vertices have no numbers any more, and tinyobjloader takes a number that is none for 0.
+// of its own, so that vertices have no numbers any more, and keeps no lines.
 
 namespace taut {
 namespace {
