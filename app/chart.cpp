@@ -86,7 +86,8 @@ std::vector<Scene> load_all(const ChartFlags& flags) {
 
 void print_summary(const Chart& chart, const std::string& folder) {
   const GridWalk::Counts& counts = chart.counts;
-  tell("{}: {} of {} cases{}, in {}\n", chart.scene, counts.run, counts.run + counts.open,
+  tell("{}: {} of {} cases ({} run, {} left out for adding nothing){}, in {}\n", chart.scene, counts.done(),
+       counts.all(), counts.run, counts.left_out(),
        chart.complete() ? "" : "; running the same again goes on", folder);
 }
 
@@ -175,18 +176,18 @@ void add_chart(CommandLine& program) {
   verb->add_flag("--plans", flags->plans,
                  "Also plan each scene for 10 %, 1 % and 0.1 % (see `taut render --accuracy`), and judge the "
                  "plans: plans.md");
-  verb->add_option("--methods", flags->methods, "Only these, such as xpbd,rattle")->delimiter(',');
+  verb->add_option("--methods", flags->methods, "Only these, such as xpbd,rattle")->list("METHODS");
   verb->add_option(
           "--errors", flags->errors,
           "Out of trajectory,strain,energy,sag [trajectory,strain,energy; sag, too, where no motion can be "
           "certified]")
-      ->delimiter(',');
+      ->list("KINDS");
   verb->add_option("--horizon", flags->horizon, "Look at the scene until then, such as 1s [its duration]");
   verb->add_option("--budget", flags->budget,
                    "Time to spend on a scene; what is then missing is run the next time")
       ->capture_default_str();
   verb->add_option("--set", flags->sets, "Change a key of the scenes: key=value, any number of times")
-      ->allow_extra_args(false);
+      ->one_each("KEY=VALUE");
   verb->add_option("-o,--output", flags->folder, "Folder for charts, tables and chart.html")
       ->capture_default_str();
   add_shard(*verb, flags->shard, "run without it afterwards to draw");

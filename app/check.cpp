@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <memory>
@@ -8,6 +9,7 @@
 
 #include "base/failure.h"
 #include "command_line.h"
+#include "errors_json.h"
 #include "exit_status.h"
 #include "explain.h"
 #include "flags.h"
@@ -121,14 +123,30 @@ void describe(const Scene& scene, Json& json) {
   json["pace"] = pace_text(scene.settings);
 }
 
+// Why the method can't do what the scene needs; empty where it can.
+std::string refusal(const Scene& scene) {
+  try {
+    Simulation{scene};
+    return {};
+  } catch (const BadRequest& problem) {
+    return problem.what();
+  }
+}
+
+// All at once: what stands in the way of pictures of the scene, and of its run.
+void require_all(const Scene& scene) {
+  std::vector<std::string> problems{colour_problem(scene), exact_problem(scene), refusal(scene)};
+  std::erase(problems, std::string());
+  if (!problems.empty()) throw BadRequest(fmt::format("{}", fmt::join(problems, "\n")));
+}
+
 Verdict check_scene(const std::string& argument, const CheckFlags& flags, int threads, const StopTest& stop) {
   Verdict verdict;
   verdict.json = {{"scene", argument}, {"ok", true}};
   try {
     Scene scene = load(argument, flags.changes.overrides(), flags.quiet);
     const std::optional<Plan> plan = settle_method(scene, {}, flags.changes.method, flags.quiet, stop);
-    require_colours(scene);
-    require_exact(scene);
+    require_all(scene);
     print_notes(scene, flags.quiet);
     describe(scene, verdict.json);
     if (plan) verdict.json["plan"] = plan_to_json(*plan);
@@ -144,13 +162,11 @@ Verdict check_scene(const std::string& argument, const CheckFlags& flags, int th
     }
     if (flags.reference) verdict.json["reference"] = error_against_reference(scene, stop);
     const Patience patience(stderr, flags.quiet, fmt::format("at {}", scene.name));
-    if (flags.run)
-      check_run(scene, on_threads(threads), flags.certify, stop, verdict);
-    else
-      Simulation{scene};  // complains where the method can't do what the scene needs
+    if (flags.run) check_run(scene, on_threads(threads), flags.certify, stop, verdict);
   } catch (const BadRequest& problem) {
     verdict.status = exit_bad_request;
     verdict.message = problem.what();
+    verdict.json["errors"] = bad_request_to_json(problem);
   } catch (const RunFailure& problem) {
     verdict.status = exit_failed;
     verdict.message = problem.what();

@@ -13,8 +13,14 @@ class Option;
 
 namespace taut {
 
-/// What a command line asks for; gives the exit status.
+/// What a verb does; gives the exit status.
 using Action = std::function<int()>;
+
+/// What a command line asks for.
+struct Asked {
+  Action action;
+  bool json = false;  ///< with --json
+};
 
 /// One of a verb's options, flags or arguments. Each call changes it and gives it back.
 class Flag {
@@ -24,10 +30,10 @@ class Flag {
   Flag* required();
   /// The help shows the value that its variable has now.
   Flag* capture_default_str();
-  /// Whether one mention may be followed by several values.
-  Flag* allow_extra_args(bool allowed);
-  /// What separates the values of a list.
-  Flag* delimiter(char separator);
+  /// Of a list: each mention takes one value, which the help calls so.
+  Flag* one_each(const std::string& value);
+  /// Of a list: each mention takes one word, values with commas between them, which the help calls so.
+  Flag* list(const std::string& values);
   /// Both together are an error.
   Flag* excludes(const Flag* other);
 
@@ -74,7 +80,7 @@ class CommandLine {
                       const std::string& help);
   /// What the arguments ask for; help and version are actions, too. Throws BadRequest where they make no
   /// sense.
-  Action parse(int argument_count, char** arguments);
+  Asked parse(int argument_count, char** arguments);
 
  private:
   std::unique_ptr<CLI::App> program_;

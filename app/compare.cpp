@@ -66,10 +66,10 @@ void add_compare(CommandLine& program) {
       ->required();
   verb->add_option("--methods", flags->methods,
                    "Two or more, with settings that differ from the scene's: euler,xpbd:passes=4,rattle")
-      ->delimiter(',')
+      ->list("METHODS")
       ->required();
   verb->add_option("--set", flags->sets, "Change a key of the scene: key=value, any number of times")
-      ->allow_extra_args(false);
+      ->one_each("KEY=VALUE");
   flags->output.picture.captions = true;
   flags->output.add_to(*verb, "out/<scene>-compared");
   verb->footer(

@@ -9,9 +9,11 @@
 #include <memory>
 #include <span>
 #include <string_view>
+#include <system_error>
 #include <thread>
 #include <utility>
 
+#include "base/diagnostic.h"
 #include "base/failure.h"
 #include "base/nearest.h"
 #include "estimate.h"
@@ -19,6 +21,7 @@
 #include "host/patience.h"
 #include "host/scene_folder.h"
 #include "host/standard_streams.h"
+#include "usage.h"
 #include "values.h"
 
 namespace taut {
@@ -64,7 +67,7 @@ void SceneFlags::add_to(Verb& verb, const std::string& optional) {
 void SceneFlags::add_changes_to(Verb& verb) {
   verb.add_option("--method", method, "Simulate with this method, one of `taut list methods`");
   verb.add_option("--set", sets, "Change a key of the scene: key=value, any number of times")
-      ->allow_extra_args(false);
+      ->one_each("KEY=VALUE");
 }
 
 void SceneFlags::add_threads_to(Verb& verb) {
@@ -105,6 +108,9 @@ Shard chosen_shard(const std::string& text) {
 }
 
 Scene load(const std::string& argument, const SceneOverrides& overrides, bool quiet) {
+  std::error_code error;
+  if (argument.find('=') != std::string::npos && !std::filesystem::exists(argument, error))
+    throw BadRequest(fmt::format("there is no scene {}; {}", in_quotes(argument), set_hint(argument)));
   const std::filesystem::path file = find_scene(argument);
   const Patience patience(stderr, quiet, fmt::format("building {}", file.string()));
   return load_scene(file, overrides, [&](const Counts& counts) {
@@ -116,6 +122,12 @@ Scene load(const std::string& argument, const SceneOverrides& overrides, bool qu
 void print_notes(const Scene& scene, bool quiet) {
   if (quiet) return;
   for (const std::string& note : scene.notes) tell("taut: {}\n", note);
+}
+
+void add_metrics(Verb& verb, std::string& file) {
+  verb.add_option("--metrics", file,
+                  "Also write what is measured of every frame, energies, strain, sag, breaks, speed and what "
+                  "each stage took: as .csv, or .jsonl; taut plot draws it");
 }
 
 void add_slow(Verb& verb, std::string& slow) {

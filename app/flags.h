@@ -47,6 +47,9 @@ void add_shard(Verb& verb, std::string& shard, const std::string& afterwards);
 /// The part that the flag's text means, or else what a Slurm array says. Throws BadRequest.
 Shard chosen_shard(const std::string& text);
 
+/// Adds the flag --metrics.
+void add_metrics(Verb& verb, std::string& file);
+
 /// Adds the flag --slow.
 void add_slow(Verb& verb, std::string& slow);
 

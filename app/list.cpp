@@ -140,8 +140,7 @@ void list_scenes(bool as_json) {
 }
 
 void list_keys(bool as_json) {
-  if (as_json) throw BadRequest("the keys are listed as Markdown; --json is for the others");
-  print_result("{}", key_reference());
+  print_result("{}", as_json ? key_reference_json() + "\n" : key_reference());
 }
 
 void list_gl(bool as_json) {

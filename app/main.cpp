@@ -3,12 +3,15 @@
 
 #include <cstdio>
 #include <exception>
+#include <functional>
 #include <new>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <system_error>
 
 #include "base/failure.h"
 #include "command_line.h"
+#include "errors_json.h"
 #include "exit_status.h"
 #include "host/build_info.h"
 #include "host/signals.h"
@@ -24,15 +27,25 @@ int fail(const char* what, ExitStatus status) {
   return status;
 }
 
+int refuse(const BadRequest& problem, bool json) {
+  if (json) {
+    print_result("{}\n", nlohmann::ordered_json{{"errors", bad_request_to_json(problem)}}.dump(2));
+    finish_results();
+  }
+  return fail(problem.what(), exit_bad_request);
+}
+
 // Runs what the command line asks for and turns what it throws into a message and an exit status. What it
 // printed counts as done only once it has arrived.
-int carry_out(const Action& action) {
+int carry_out(const std::function<Asked()>& parse) {
+  Asked asked;
   try {
-    const int status = action();
+    asked = parse();
+    const int status = asked.action();
     finish_results();
     return status;
   } catch (const BadRequest& problem) {
-    return fail(problem.what(), exit_bad_request);
+    return refuse(problem, asked.json);
   } catch (const OutputConflict& problem) {
     return fail(problem.what(), exit_conflict);
   } catch (const std::system_error& problem) {
@@ -57,6 +70,7 @@ int run(int argument_count, char** arguments) {
   add_check(program);
   add_chart(program);
   add_export(program);
+  add_plot(program);
   add_sag(program);
   add_stability(program);
   add_merge(program);
@@ -69,9 +83,9 @@ int run(int argument_count, char** arguments) {
       fmt::format("Use these vector instructions instead of the best, which changes no result: {}",
                   fmt::join(simd_targets(), ", ")));
   return carry_out([&] {
-    const Action action = program.parse(argument_count, arguments);
+    Asked asked = program.parse(argument_count, arguments);
     force_simd(simd);
-    return action();
+    return asked;
   });
 }
 

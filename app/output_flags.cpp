@@ -60,6 +60,7 @@ void print_json(std::span<const Scene> scenes, const RenderRequest& request, con
   if (outcome.note) json["note"] = *outcome.note;
   if (request.folder) json["folder"] = request.folder->string();
   if (request.film && !outcome.stopped) json["film"] = request.film->string();
+  if (request.metrics) json["metrics"] = request.metrics->string();
   print_result("{}\n", json.dump(2));
 }
 
@@ -106,6 +107,7 @@ void OutputFlags::add_to(Verb& verb, const std::string& usual_folder) {
                   "Also make a film; its ending chooses .mp4, .webm, .gif, .webp or .mov (ProRes 4444, for "
                   "cutting), and - "
                   "is standard output (as .mp4; webm:- and gif:- otherwise)");
+  add_metrics(verb, metrics);
   verb.add_flag("--no-frames", no_frames, "Only the film, no PNG files");
   verb.add_option("--frames", selection,
                   "Only these frames, such as 1-100:2,150; a film of every n-th keeps its speed");
@@ -131,6 +133,7 @@ RenderRequest OutputFlags::request(const std::string& usual_folder, std::optiona
   RenderRequest request;
   if (!no_frames) request.folder = folder.empty() ? usual_folder : folder;
   if (!film.empty()) request.film = film;
+  if (!metrics.empty()) request.metrics = metrics;
   if (!selection.empty()) request.selection = selection;
   request.rate = rate.empty() ? FrameRate{} : parse_frame_rate("--fps", rate);
   request.shard = chosen_shard(shard);

@@ -15,7 +15,7 @@ namespace taut {
 /// Where frames and films go, and what is told of them.
 struct OutputFlags {
   PictureFlags picture;
-  std::string folder, film, selection, rate, slow, depth, shard;
+  std::string folder, film, metrics, selection, rate, slow, depth, shard;
   bool certify = false;
   bool no_frames = false, overwrite = false, json = false, quiet = false, verbose = false;
 

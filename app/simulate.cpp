@@ -23,7 +23,7 @@ namespace {
 struct SimulateFlags {
   SceneFlags scene;
   PlanFlags plan;
-  std::string folder, rate = "30", slow;
+  std::string folder, metrics, rate = "30", slow;
   bool overwrite = false, json = false, quiet = false;
 };
 
@@ -40,6 +40,7 @@ void print_json(const Scene& scene, const MotionRequest& request, const MotionOu
       {"inputs", outcome.inputs},
       {"last_state_hash", outcome.last_state_hash},
       {"stopped", outcome.stopped}};
+  if (request.metrics) json["metrics"] = request.metrics->string();
   if (outcome.measures) json["measures"] = measures_to_json(*outcome.measures, scene);
   print_result("{}\n", json.dump(2));
 }
@@ -59,6 +60,7 @@ int simulate_scene(const SimulateFlags& flags) {
   MotionRequest request;
   request.folder = flags.folder.empty() ? "out/" + scene.name + "-motion" : flags.folder;
   request.rate = parse_frame_rate("--fps", flags.rate);
+  if (!flags.metrics.empty()) request.metrics = flags.metrics;
   request.overwrite = flags.overwrite;
   request.execution = on_threads(flags.scene.thread_count(0));
   const InterruptWatch interrupts(end_at_once);
@@ -89,6 +91,7 @@ void add_simulate(CommandLine& program) {
   verb->add_option("-o,--output", flags->folder, "Folder for the motion [out/<scene>-motion]");
   verb->add_option("--fps", flags->rate, "Moments per second of film, such as 30, 29.97 or 24000/1001")
       ->capture_default_str();
+  add_metrics(*verb, flags->metrics);
   add_slow(*verb, flags->slow);
   verb->add_flag("--overwrite", flags->overwrite, "Replace a motion that is there already");
   verb->add_flag("--json", flags->json, "Print a summary as JSON on stdout");

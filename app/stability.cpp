@@ -123,12 +123,12 @@ void add_stability(CommandLine& program) {
   verb->add_option("--axes", flags->axes,
                    "step,mass-ratio  step,stiffness  step,links  passes,links  step,gravity; any number of "
                    "times [the first two]")
-      ->allow_extra_args(false);
+      ->one_each("AXES");
   verb->add_option("--grid", flags->grid, "Columns x rows of a map")->capture_default_str();
   verb->add_option("--duration", flags->duration, "Seconds of every run, at most the scene's")
       ->capture_default_str();
   verb->add_option("--set", flags->sets, "Change a key of the scene: key=value, any number of times")
-      ->allow_extra_args(false);
+      ->one_each("KEY=VALUE");
   verb->add_option("-o,--output", flags->folder, "Folder [out/stability]");
   verb->add_flag("--resume", flags->resume, "Go on where an earlier run stopped, as it does anyway");
   verb->add_flag("--overwrite", flags->overwrite, "Begin anew, whatever the folder holds");

@@ -32,7 +32,7 @@ int still(const StillFlags& flags) {
   Scene scene = load(flags.scene.scene, flags.scene.overrides(), flags.quiet);
   print_notes(scene, flags.quiet);
   flags.picture.apply_to(scene);
-  const double time = parse_seconds("--at", flags.at);
+  const double time = flags.at.empty() ? scene.duration : parse_seconds("--at", flags.at);
   const PictureSettings settings = flags.picture.settings();
   const Execution execution = on_threads(flags.scene.thread_count(0));
   std::optional<std::string> note;
@@ -63,7 +63,7 @@ void add_still(CommandLine& program) {
   const auto flags = std::make_shared<StillFlags>();
   flags->scene.add_to(*verb);
   flags->scene.add_threads_to(*verb);
-  verb->add_option("--at", flags->at, "The time, such as 2.5s")->required();
+  verb->add_option("--at", flags->at, "The time, such as 2.5s or 500ms [the end]");
   verb->add_option("-o,--output", flags->file, "The PNG file; replaced when it exists")->required();
   flags->picture.add_to(*verb);
   verb->add_flag("--json", flags->json, "Print what was made as JSON on stdout");

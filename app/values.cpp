@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -10,6 +12,14 @@
 
 namespace taut {
 namespace {
+
+// A longer name stands before one that it ends with. 0.001 s is no number of the machine, 1000 is.
+struct UnitOfTime {
+  std::string_view name;
+  double seconds = 1.0, parts = 1.0;
+};
+constexpr std::array<UnitOfTime, 4> units_of_time{
+    {{"ms", 1.0, 1000.0}, {"min", 60.0, 1.0}, {"s", 1.0, 1.0}, {"h", 3600.0, 1.0}}};
 
 template <class Number>
 std::optional<Number> whole_text_as(std::string_view text) {
@@ -39,11 +49,15 @@ FrameRate parse_frame_rate(std::string_view flag, std::string_view text) {
 }
 
 double parse_seconds(std::string_view flag, std::string_view text) {
-  const std::string_view number = text.ends_with('s') ? text.substr(0, text.size() - 1) : text;
-  const auto value = whole_text_as<double>(number);
-  if (!value || !std::isfinite(*value))
-    throw BadRequest(fmt::format("{} needs a time in seconds such as 2.5 or 2.5s, not \"{}\"", flag, text));
-  return *value;
+  const auto unit = std::ranges::find_if(units_of_time, [&](const auto& each) {
+    return text.size() > each.name.size() && text.ends_with(each.name);
+  });
+  const UnitOfTime plain, &used = unit == units_of_time.end() ? plain : *unit;
+  const auto value = whole_text_as<double>(text.substr(0, text.size() - used.name.size()));
+  const double seconds = value.value_or(0.0) * used.seconds / used.parts;
+  if (!value || !std::isfinite(seconds))
+    throw BadRequest(fmt::format("{} needs a time such as 2.5, 2.5s, 500ms or 2min, not \"{}\"", flag, text));
+  return seconds;
 }
 
 Size parse_size(std::string_view flag, std::string_view text) {

@@ -16,7 +16,7 @@ double parse_number(std::string_view flag, std::string_view text);
 /// Frames a second: 30, 29.97 or 24000/1001; above 0 and at most 1000.
 FrameRate parse_frame_rate(std::string_view flag, std::string_view text);
 
-/// A time in seconds, with or without its unit: 1, 2.5s.
+/// A time in seconds: 1, 2.5s, 500ms, 2min, 1h.
 double parse_seconds(std::string_view flag, std::string_view text);
 
 /// A size in pixels: 1280x720.

@@ -11,6 +11,7 @@ void add_still(CommandLine& program);
 void add_strip(CommandLine& program);
 void add_check(CommandLine& program);
 void add_chart(CommandLine& program);
+void add_plot(CommandLine& program);
 void add_export(CommandLine& program);
 void add_sag(CommandLine& program);
 void add_stability(CommandLine& program);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <tuple>
+#include <utility>
 
 #include "base/utf8.h"
 
@@ -118,10 +119,15 @@ std::string to_text(const Diagnostic& diagnostic, std::string_view text) {
   return out;
 }
 
-std::string to_text(std::vector<Diagnostic> diagnostics, std::string_view text, std::size_t most,
-                    std::size_t left_out) {
+std::vector<Diagnostic> in_order(std::vector<Diagnostic> diagnostics) {
   const auto place = [](const Diagnostic& d) { return std::tuple(d.line == 0, d.line, d.column); };
   std::ranges::stable_sort(diagnostics, {}, place);
+  return diagnostics;
+}
+
+std::string to_text(std::vector<Diagnostic> diagnostics, std::string_view text, std::size_t most,
+                    std::size_t left_out) {
+  diagnostics = in_order(std::move(diagnostics));
   std::string out;
   for (std::size_t i = 0; i < std::min(most, diagnostics.size()); ++i) {
     if (i > 0) out += '\n';

@@ -34,9 +34,9 @@ void add_from_files(Film& film, const FrameFolder& folder, std::span<const int> 
 void finish_film(Film& film, RenderJob& job, StageClock& clock, const StopTest& stop) {
   clock.add(Stage::encode, film.finish(stop));
   if (is_film_stream(job.film_file)) return;
-  job.record_film(film.file());
+  job.record(job.film, &Manifest::films, film.file());
   film.commit();
-  job.keep_film();
+  job.keep(job.film, &Manifest::films);
 }
 
 RenderOutcome film_from_files(const RenderRequest& request, std::size_t panels, RenderJob& job,

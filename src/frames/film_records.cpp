@@ -15,12 +15,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What a manifest says of a film of that name, where that film is still the one on disk; else null.
-const FilmRecord* film_on_disk(const Manifest& manifest, const std::string& name, const fs::path& file) {
+// The record of that name, where its file is still the one on disk; else null.
+const FilmRecord* film_on_disk(const std::vector<FilmRecord>& films, const std::string& name,
+                               const fs::path& file) {
   const std::optional<std::string> content = content_hash(file);
   const auto found = std::ranges::find_if(
-      manifest.films, [&](const FilmRecord& film) { return film.file == name && film.content == content; });
-  return content && found != manifest.films.end() ? &*found : nullptr;
+      films, [&](const FilmRecord& film) { return film.file == name && film.content == content; });
+  return content && found != films.end() ? &*found : nullptr;
 }
 
 }  // namespace
@@ -36,10 +37,11 @@ fs::path film_manifest_file(const fs::path& film) {
   return film.parent_path() / fmt::format(".{}.json", film.filename().string());
 }
 
-const FilmRecord* known_film(const Manifest& manifest, const std::string& name, const fs::path& file) {
+const FilmRecord* known_film(const std::vector<FilmRecord>& films, const std::string& name,
+                             const fs::path& file) {
   std::error_code error;
   if (!fs::exists(file, error)) return nullptr;
-  if (const FilmRecord* there = film_on_disk(manifest, name, file)) return there;
+  if (const FilmRecord* there = film_on_disk(films, name, file)) return there;
   throw OutputConflict(
       fmt::format("{} exists, and nothing here says that it was made from the same inputs; "
                   "--overwrite replaces it",

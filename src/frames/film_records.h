@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "frames/frame_folder.h"
 #include "output/manifest.h"
@@ -14,9 +15,9 @@ std::string film_name_from(const std::filesystem::path& folder, const std::files
 /// The manifest of a film that has no folder of frames: a hidden file beside it.
 std::filesystem::path film_manifest_file(const std::filesystem::path& film);
 
-/// Throws OutputConflict where a file is there that the manifest doesn't know as its film; gives what it
-/// knows of it, or null where there is no such file.
-const FilmRecord* known_film(const Manifest& manifest, const std::string& name,
+/// Throws OutputConflict where a file is there that none of a manifest's records is of; gives the one that
+/// is, or null where there is no such file.
+const FilmRecord* known_film(const std::vector<FilmRecord>& films, const std::string& name,
                              const std::filesystem::path& file);
 
 /// A record of a film under its temporary name.

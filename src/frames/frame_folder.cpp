@@ -99,7 +99,8 @@ FrameFolder::FrameFolder(fs::path folder, Manifest wanted, const Shard& shard, b
 }
 
 void FrameFolder::take_over(const Manifest& there) {
-  manifest_.films.insert(manifest_.films.end(), there.films.begin(), there.films.end());
+  for (const FilmList list : {&Manifest::films, &Manifest::metrics})
+    (manifest_.*list).insert((manifest_.*list).end(), (there.*list).begin(), (there.*list).end());
   manifest_.colour_range = std::max(manifest_.colour_range, there.colour_range);
   manifest_.drawn_by = there.drawn_by;
   if (manifest_.kind != "frames") return;
@@ -165,8 +166,8 @@ void FrameFolder::remove_checkpoint() const {
   fs::remove(checkpoint_file(), error);
 }
 
-void FrameFolder::keep_only(const FilmRecord& film) {
-  std::erase_if(manifest_.films, [&](const FilmRecord& other) {
+void FrameFolder::keep_only(const FilmRecord& film, FilmList list) {
+  std::erase_if(manifest_.*list, [&](const FilmRecord& other) {
     return other.file == film.file && other.content != film.content;
   });
 }

@@ -20,10 +20,12 @@
 #include "frame_on_its_way.h"
 #include "frames/captions.h"
 #include "frames/film_frames.h"
+#include "frames/metrics.h"
 #include "frames/panels.h"
 #include "frames/picture_notes.h"
 #include "frames/settled_colours.h"
 #include "frames/settled_view.h"
+#include "metrics_recorder.h"
 #include "output/atomic_file.h"
 #include "output/film.h"
 #include "output/frame_file.h"
@@ -90,6 +92,7 @@ class Pipeline {
   const StopTest& stop_;
 
   StageClock clock_;
+  MetricsRecorder metrics_;
   CheckpointClock checkpoints_;
   BoundedQueue<Posed> posed_{2};
   BoundedQueue<Shaped> shaped_{2};
@@ -111,8 +114,8 @@ PanelRuns Pipeline::begin_runs() const {
 
 std::shared_ptr<const Checkpoint> Pipeline::checkpoint(PanelRuns& runs, int frame, double time) {
   if (!job_.folder || !checkpoints_.due()) return nullptr;
-  std::optional<std::string> state =
-      clock_.time(Stage::simulate, [&] { return runs.save_before(time, told_to_stop_); });
+  std::optional<std::string> state = clock_.time(
+      Stage::simulate, [&] { return runs.save_before(time, told_to_stop_); }, frame);
   if (!state) return nullptr;
   checkpoints_.begun(0.0);
   return std::make_shared<const Checkpoint>(Checkpoint{frame, *std::move(state)});
@@ -123,13 +126,15 @@ void Pipeline::simulate(PanelRuns& runs) {
   for (const int frame : std::span(job_.frames).subspan(done.size())) {
     const double time = shown_time(scenes_.front(), frame, request_.rate);
     std::shared_ptr<const Checkpoint> checkpoint = this->checkpoint(runs, frame, time);
-    std::optional<std::vector<PanelState>> now =
-        clock_.time(Stage::simulate, [&] { return runs.at(time, told_to_stop_); });
+    std::optional<std::vector<PanelState>> now = clock_.time(
+        Stage::simulate, [&] { return runs.at(time, told_to_stop_); }, frame);
     if (!now || told_to_stop()) {
       stopped_ = true;
       return;
     }
     if (request_.watch) request_.watch(now->front().state);
+    for (std::size_t i = 0; i < now->size() && job_.make_metrics; ++i)
+      metrics_.add(frame_metrics(scenes_[i], frame, runs.measures(i)));
     Posed posed{frame, panels_hash(*now), std::move(checkpoint), {}, {}};
     for (std::size_t i = 0; i < now->size(); ++i)
       notes_.see(scenes_[i], request_.picture.drawn_size(), shows_ground(), (*now)[i].state);
@@ -155,7 +160,8 @@ void Pipeline::shape(PanelPainter& painter) {
     for (const PanelState& panel : posed->panels) states.push_back({&panel.state, panel.trails.get()});
     Shaped shaped{
         posed->frame, std::move(posed->hash), std::move(posed->checkpoint), {}, std::move(posed->captions)};
-    shaped.shapes = clock_.time(Stage::shape, [&] { return painter.shape(states); });
+    shaped.shapes = clock_.time(
+        Stage::shape, [&] { return painter.shape(states); }, shaped.frame);
     if (!shaped_.push(std::move(shaped))) return;
   }
 }
@@ -165,7 +171,8 @@ void Pipeline::draw(PanelPainter& painter) {
   constexpr std::size_t most_submitted = 2;
   std::deque<Submitted> submitted;
   while (std::optional<Submitted> frame = next_to_draw()) {
-    clock_.time(Stage::draw, [&] { painter.submit(frame->shapes); });
+    clock_.time(
+        Stage::draw, [&] { painter.submit(frame->shapes); }, frame->frame);
     submitted.push_back(*std::move(frame));
     if (submitted.size() < most_submitted) continue;
     fetch(std::move(submitted.front()), painter);
@@ -199,7 +206,8 @@ std::optional<Submitted> Pipeline::next_to_draw() {
 }
 
 void Pipeline::fetch(Submitted frame, PanelPainter& painter) {
-  PanelPainter::Drawn drawn = clock_.time(Stage::draw, [&] { return painter.fetch(); });
+  PanelPainter::Drawn drawn = clock_.time(
+      Stage::draw, [&] { return painter.fetch(); }, frame.frame);
   to_finish_.push({std::move(frame), std::move(drawn)});
 }
 
@@ -208,10 +216,11 @@ void Pipeline::finish_frames(const PanelPainter& painter) {
     Submitted& frame = drawn->frame;
     try {
       FinishedFrame finished{frame.frame, frame.hash, {}, {}, frame.checkpoint};
-      finished.image =
-          clock_.time(Stage::flatten, [&] { return painter.finish(drawn->panels, frame.captions); });
+      finished.image = clock_.time(
+          Stage::flatten, [&] { return painter.finish(drawn->panels, frame.captions); }, frame.frame);
       if (frame.as_file)
-        finished.file = clock_.time(Stage::compress, [&] { return encode_frame(finished.image); });
+        finished.file = clock_.time(
+            Stage::compress, [&] { return encode_frame(finished.image); }, frame.frame);
       frame.finished.set_value(std::make_shared<const FinishedFrame>(std::move(finished)));
     } catch (...) {
       frame.finished.set_exception(std::current_exception());
@@ -292,7 +301,11 @@ RenderOutcome Pipeline::run() {
   const std::vector<int> done = job_.done_before();
   outcome_.shown = outcome_.kept = done.size();
   if (job_.resume) outcome_.resumed_at = job_.resume->frame;
-  if (job_.folder) lanes_.emplace_back(files.emplace(*job_.folder, checkpoints_, clock_));
+  if (job_.make_metrics) clock_.keep_frames();
+  if (job_.make_metrics && job_.resume) metrics_.restore(job_.resume->metrics);
+  if (job_.folder)
+    lanes_.emplace_back(
+        files.emplace(*job_.folder, checkpoints_, clock_, job_.make_metrics ? &metrics_ : nullptr));
   if (film) lanes_.emplace_back(shots.emplace(*film, job_.folder ? &*job_.folder : nullptr, done, clock_));
   run_stages(runs, painter);
   // What stands in the film only, or is there already, doesn't count as lost.
@@ -318,6 +331,8 @@ void Pipeline::finish(std::optional<Film>& film) {
     job_.folder->set_halvings(fmt::format("{}", fmt::join(halvings, "\n")));
   }
   outcome_.stopped = stopped_;
+  // Whatever happened, so far as it went.
+  if (job_.make_metrics) failure_.watch([&] { leave_metrics(job_, metrics_.rows(clock_)); });
   // Whatever happened, the manifest says which frames there are.
   if (job_.folder) failure_.watch([&] { job_.folder->save(); });
   if (job_.folder && whole && !failure_.any() && !stopped_) job_.folder->remove_checkpoint();

@@ -78,7 +78,8 @@ void make_film(FrameFolder& folder, const fs::path& into, const fs::path& file, 
   const Manifest& manifest = folder.manifest();
   const std::string name = film_name_from(into, file), frames = fmt::format("1-{}", manifest.frame_count);
   if (!is_film_stream(file))
-    if (const FilmRecord* there = known_film(manifest, name, file); there && there->frames == frames) return;
+    if (const FilmRecord* there = known_film(manifest.films, name, file); there && there->frames == frames)
+      return;
   std::vector<int> numbers;
   numbers.reserve(manifest.frames.size());
   for (const auto& [frame, record] : manifest.frames) numbers.push_back(frame);
@@ -114,6 +115,7 @@ MergedFrames merge_frames(std::span<const fs::path> folders, const fs::path& int
   Manifest wanted = parts.front().manifest;
   wanted.frames.clear();
   wanted.films.clear();
+  wanted.metrics.clear();
   wanted.halvings.clear();
   FrameFolder folder(into, wanted, {}, false);
   folder.begin();

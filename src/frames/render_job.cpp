@@ -12,6 +12,7 @@
 #include "frames/exact_shape.h"
 #include "frames/film_frames.h"
 #include "frames/frame_selection.h"
+#include "frames/metrics.h"
 #include "frames/panels.h"
 #include "output/film.h"
 #include "thread_budget.h"
@@ -22,10 +23,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The films of the manifest beside a film without a folder, where they were made from the same inputs.
-std::vector<FilmRecord> films_beside(const fs::path& film, const std::string& inputs) {
+// What the manifest beside a film without a folder knows, where that was made from the same inputs.
+void take_over_films(const fs::path& film, Manifest& manifest) {
   const std::optional<Manifest> there = read_manifest(film_manifest_file(film));
-  return there && there->inputs == inputs ? there->films : std::vector<FilmRecord>();
+  if (!there || there->inputs != manifest.inputs) return;
+  manifest.films = there->films;
+  manifest.metrics = there->metrics;
 }
 
 void settle_film(RenderJob& job, const RenderRequest& request, const Manifest& wanted) {
@@ -40,23 +43,41 @@ void settle_film(RenderJob& job, const RenderRequest& request, const Manifest& w
   if (!job.folder) {
     job.film_manifest = wanted;
     job.film_manifest->kind = "film";
-    if (!request.overwrite) job.film_manifest->films = films_beside(*request.film, wanted.inputs);
+    if (!request.overwrite) take_over_films(*request.film, *job.film_manifest);
   }
   std::error_code error;
   if (fs::is_directory(*request.film, error))
     throw BadRequest(fmt::format("{} is a folder, not a name for a film", request.film->string()));
   if (request.overwrite) return;
-  const FilmRecord* there =
-      known_film(job.folder ? job.folder->manifest() : *job.film_manifest, job.film.file, *request.film);
+  const FilmRecord* there = known_film((job.folder ? job.folder->manifest() : *job.film_manifest).films,
+                                       job.film.file, *request.film);
   job.make_film = there == nullptr || there->frames != job.film.frames;
+}
+
+// After the film, which may have the only manifest.
+void settle_metrics(RenderJob& job, const RenderRequest& request) {
+  if (!request.metrics) return;
+  check_metrics_file(*request.metrics);
+  job.metrics_file = *request.metrics;
+  const fs::path beside = request.folder ? *request.folder : request.film->parent_path();
+  job.metrics = {film_name_from(beside, job.metrics_file), selection_text(job.frames), 0, {}};
+  job.make_metrics = true;
+  if (request.overwrite) return;
+  const std::vector<FilmRecord> none;
+  const FilmRecord* there = known_film(job.folder          ? job.folder->manifest().metrics
+                                       : job.film_manifest ? job.film_manifest->metrics
+                                                           : none,
+                                       job.metrics.file, job.metrics_file);
+  job.make_metrics = there == nullptr || there->frames != job.metrics.frames;
 }
 
 // Where to go on. Whoever watches the run wants to see all of it.
 void settle_resume(RenderJob& job, const RenderRequest& request) {
   if (!job.folder || request.watch) return;
-  job.only_film =
-      job.make_film && std::ranges::all_of(job.frames, [&](int frame) { return job.folder->has(frame); });
+  job.only_film = job.make_film && !job.make_metrics &&
+                  std::ranges::all_of(job.frames, [&](int frame) { return job.folder->has(frame); });
   if (!job.only_film && !request.motion) job.resume = job.folder->checkpoint(job.frames);
+  if (job.resume && job.make_metrics && job.resume->metrics.empty()) job.resume.reset();
 }
 
 void require_moments(const Scene& scene, const RenderRequest& request, const std::vector<int>& frames) {
@@ -89,7 +110,7 @@ FilmSettings film_settings(const RenderRequest& request, std::size_t panels, con
 }
 
 bool RenderJob::complete() const {
-  return !make_film &&
+  return !make_film && !make_metrics &&
          (!folder || std::ranges::all_of(frames, [&](int frame) { return folder->has(frame); }));
 }
 
@@ -100,22 +121,22 @@ std::vector<int> RenderJob::done_before() const {
   return done;
 }
 
-void RenderJob::record_film(const fs::path& temporary) {
-  film = film_record(film.file, film.frames, temporary);
+void RenderJob::record(FilmRecord& made, FilmList list, const fs::path& temporary) {
+  made = film_record(made.file, made.frames, temporary);
   if (folder) {
-    folder->add_film(film);
+    folder->add_film(made, list);
     folder->save();
   } else if (film_manifest) {
-    film_manifest->films.push_back(film);
+    ((*film_manifest).*list).push_back(made);
     write_manifest(film_manifest_file(film_file), *film_manifest);
   }
 }
 
-void RenderJob::keep_film() {
+void RenderJob::keep(const FilmRecord& made, FilmList list) {
   if (folder) {
-    folder->keep_only(film);
-  } else if (film_manifest && film_manifest->films.size() > 1) {
-    film_manifest->films = {film};
+    folder->keep_only(made, list);
+  } else if (film_manifest && ((*film_manifest).*list).size() > 1) {
+    (*film_manifest).*list = {made};
     write_manifest(film_manifest_file(film_file), *film_manifest);
   }
 }
@@ -142,6 +163,7 @@ RenderJob make_render_job(std::span<const Scene> scenes, const RenderRequest& re
   job.inputs = wanted.inputs;
   if (request.folder) job.folder.emplace(*request.folder, wanted, request.shard, request.overwrite);
   if (request.film) settle_film(job, request, wanted);
+  settle_metrics(job, request);
   settle_resume(job, request);
   if (job.make_film) require_film_encoder();
   return job;

@@ -19,19 +19,22 @@ struct RenderJob {
   bool make_film = false;  ///< one is asked for and not there yet
   FilmRecord film;         ///< how the film will stand in the manifest
   std::filesystem::path film_file;
+  bool make_metrics = false;  ///< they are asked for and not there yet
+  FilmRecord metrics;         ///< how they will stand in the manifest
+  std::filesystem::path metrics_file;
   std::optional<Manifest> film_manifest;  ///< stands beside a film that has no folder of frames
   std::optional<Checkpoint> resume;       ///< what the simulation goes on from, where it doesn't begin anew
   bool only_film = false;                 ///< every frame is there: the film can be made from their files
 
   /// The frames that needn't be simulated: a film takes them from their files.
   std::vector<int> done_before() const;
-  /// Remembers the film's bytes and hash, from the file under its temporary name, in the manifest on disk
-  /// beside what stood there. Throws RunFailure.
-  void record_film(const std::filesystem::path& temporary);
-  /// The same when the film has got its name: forgets others of that name.
-  void keep_film();
+  /// Remembers a film's (or the metrics') bytes and hash, from the file under its temporary name, in the
+  /// manifest on disk beside what stood there. Throws RunFailure.
+  void record(FilmRecord& made, FilmList list, const std::filesystem::path& temporary);
+  /// The same when the file has got its name: forgets others of that name.
+  void keep(const FilmRecord& made, FilmList list);
 
-  /// Whether every frame that is asked for is there, and the film too.
+  /// Whether every frame that is asked for is there, and the film and the metrics too.
   bool complete() const;
 };
 

@@ -5,15 +5,17 @@
 namespace taut {
 
 void FolderSink::take(const FinishedFrame& frame, const StopTest& /*stop*/) {
-  clock_.time(Stage::write, [&] {
-    // Frames come in the order of time, so all before this one are written.
-    if (frame.checkpoint) {
-      const Stopwatch watch;
-      folder_.write(*frame.checkpoint);
-      checkpoints_.written(watch.seconds());
-    }
-    folder_.write(frame.frame, frame.file, frame.state_hash);
-  });
+  // Frames come in the order of time, so all before this one are written.
+  if (frame.checkpoint) clock_.time(Stage::write, [&] { keep(*frame.checkpoint); });
+  clock_.time(
+      Stage::write, [&] { folder_.write(frame.frame, frame.file, frame.state_hash); }, frame.frame);
+}
+
+void FolderSink::keep(Checkpoint checkpoint) {
+  const Stopwatch watch;
+  if (metrics_ != nullptr) checkpoint.metrics = metrics_->before(checkpoint.frame, clock_);
+  folder_.write(checkpoint);
+  checkpoints_.written(watch.seconds());
 }
 
 }  // namespace taut

@@ -6,6 +6,7 @@
 #include "film_making.h"
 #include "frame_sink.h"
 #include "frames/frame_folder.h"
+#include "metrics_recorder.h"
 #include "output/film.h"
 #include "stage_clock.h"
 
@@ -14,8 +15,14 @@ namespace taut {
 /// Frames as files. Wants those that are not there yet.
 class FolderSink final : public FrameSink {
  public:
-  FolderSink(FrameFolder& folder, CheckpointClock& checkpoints, StageClock& clock)
-      : folder_(folder), checkpoints_(checkpoints), clock_(clock), there_(folder.manifest().frames) {}
+  /// `metrics` go into checkpoints; null where nothing is measured.
+  FolderSink(FrameFolder& folder, CheckpointClock& checkpoints, StageClock& clock,
+             const MetricsRecorder* metrics)
+      : folder_(folder),
+        checkpoints_(checkpoints),
+        clock_(clock),
+        metrics_(metrics),
+        there_(folder.manifest().frames) {}
 
   void begin(const StopTest& /*stop*/) override {}
   bool wants(int frame, const std::string& state_hash) const override {
@@ -26,9 +33,12 @@ class FolderSink final : public FrameSink {
   void take(const FinishedFrame& frame, const StopTest& stop) override;
 
  private:
+  void keep(Checkpoint checkpoint);
+
   FrameFolder& folder_;
   CheckpointClock& checkpoints_;
   StageClock& clock_;
+  const MetricsRecorder* metrics_;
   // A copy: the folder's own list grows in another thread than the one that asks.
   const std::map<int, FrameRecord> there_;
 };
@@ -46,7 +56,8 @@ class FilmSink final : public FrameSink {
   bool wants(int /*frame*/, const std::string& /*state_hash*/) const override { return true; }
   bool wants_file() const override { return false; }
   void take(const FinishedFrame& frame, const StopTest& stop) override {
-    clock_.time(Stage::feed, [&] { film_.add(frame.image, stop); });
+    clock_.time(
+        Stage::feed, [&] { film_.add(frame.image, stop); }, frame.frame);
   }
 
  private:

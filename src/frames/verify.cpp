@@ -84,6 +84,14 @@ class Check {
     }
   }
 
+  void metrics() {
+    for (const FilmRecord& metrics : manifest_.metrics)
+      if (const auto content = content_hash(folder_ / metrics.file); !content)
+        fault("the metrics {} are missing", metrics.file);
+      else if (content != metrics.content)
+        fault("the metrics {} are not those that were made", metrics.file);
+  }
+
   void motion() {
     const StoredMotion motion = open_motion(folder_);
     if (motion.reader->inputs() != manifest_.inputs)
@@ -180,6 +188,7 @@ Verification verify(const fs::path& output, bool deep, Progress& progress, const
     Check check(is_folder ? output : output.parent_path(), name, manifest, found);
     check.itself();
     check.films();
+    check.metrics();
     if (manifest.kind == "frames") check.frames();
     if (manifest.kind == "motion") check.motion();
     if (deep) check.states(progress, stop);

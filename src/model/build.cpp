@@ -140,7 +140,10 @@ std::string nearest_mass(std::string_view name, const Masses& masses, const std:
 Built build(const Description& description) {
   Built built;
   built.problems = find_problems(description);
-  if (!masses_are_sound(built.problems)) return built;
+  if (!masses_are_sound(built.problems)) {
+    build_names_alone(description, built);
+    return built;
+  }
 
   Builder builder;
   builder.model.gravity = description.gravity;
@@ -183,6 +186,7 @@ Built build(const Description& description) {
   if (built.problems.empty()) built.notes = find_notes(description, builder);
   built.model = std::move(builder.model);
   built.start = std::move(builder.start);
+  built.names_known = true;
   return built;
 }
 

@@ -133,6 +133,11 @@ void find_overreach(const Builder& builder, std::vector<Problem>& problems);
 void find_face_problems(const Builder& builder, const Description& description,
                         std::vector<Problem>& problems);
 
+/// Of a description whose masses can't be built, what can be known all the same: what they will be called,
+/// and which names that links, loads and limits use are none of theirs. Nothing where the names themselves,
+/// or how many there are of them, is what is wrong.
+void build_names_alone(const Description& description, Built& built);
+
 /// The mass that may have been meant, looked for only while the problems are few: in a file of bad names it
 /// would take bad names × masses.
 std::string nearest_mass(std::string_view name, const Masses& masses, const std::vector<Problem>& problems);

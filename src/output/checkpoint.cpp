@@ -22,16 +22,22 @@ constexpr std::string_view checkpoint_begins_with = "taut checkpoint 1\n";
 constexpr double least_seconds_between = 0.5, most_of_the_run = 1.0 / 150.0;
 
 std::string checkpoint_hash(std::string_view inputs, const Checkpoint& checkpoint) {
-  return Hash().add(inputs).add(fmt::format(" {} ", checkpoint.frame)).add(checkpoint.state).hex();
+  return Hash()
+      .add(inputs)
+      .add(fmt::format(" {} ", checkpoint.frame))
+      .add(checkpoint.state)
+      .add(checkpoint.metrics)
+      .hex();
 }
 
-// Hash, inputs, frame and state, each list with its length.
+// Hash, inputs, frame, state and metrics, each list with its length.
 std::string bytes_of(std::string_view inputs, const Checkpoint& checkpoint) {
   std::string bytes(checkpoint_begins_with);
   append_bytes(checkpoint_hash(inputs, checkpoint), bytes);
   append_bytes(std::string(inputs), bytes);
   append_bytes(checkpoint.frame, bytes);
   append_bytes(checkpoint.state, bytes);
+  append_bytes(checkpoint.metrics, bytes);
   return bytes;
 }
 
@@ -55,6 +61,7 @@ std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& file, std
     reader.take(made_from);
     reader.take(checkpoint.frame);
     reader.take(checkpoint.state);
+    if (!reader.at_end()) reader.take(checkpoint.metrics);
   } catch (const BadRequest&) {
     return std::nullopt;
   }

@@ -30,11 +30,20 @@ Json frames_to_json(const Manifest& manifest, std::string FrameRecord::*part) {
   return frames;
 }
 
-Json films_to_json(const Manifest& manifest) {
+Json films_to_json(const std::vector<FilmRecord>& records) {
   Json films = Json::array();
-  for (const FilmRecord& film : manifest.films)
+  for (const FilmRecord& film : records)
     films.push_back(
         {{"file", film.file}, {"frames", film.frames}, {"bytes", film.bytes}, {"content", film.content}});
+  return films;
+}
+
+std::vector<FilmRecord> films_from_json(const Json& json) {
+  std::vector<FilmRecord> films;
+  films.reserve(json.size());
+  for (const Json& film : json)
+    films.push_back({film.at("file").get<std::string>(), film.at("frames").get<std::string>(),
+                     film.at("bytes").get<std::uintmax_t>(), film.at("content").get<std::string>()});
   return films;
 }
 
@@ -69,9 +78,8 @@ Manifest from_json(const Json& json) {
   for (const auto& [number, state] : json.at("frames").items())
     manifest.frames[std::stoi(number)] = {state.get<std::string>(),
                                           json.at("contents").at(number).get<std::string>()};
-  for (const Json& film : json.at("films"))
-    manifest.films.push_back({film.at("file").get<std::string>(), film.at("frames").get<std::string>(),
-                              film.at("bytes").get<std::uintmax_t>(), film.at("content").get<std::string>()});
+  manifest.films = films_from_json(json.at("films"));
+  manifest.metrics = films_from_json(json.value("metrics", Json::array()));
   return manifest;
 }
 
@@ -90,30 +98,31 @@ std::string inputs_of(const Manifest& manifest) {
 
 std::string manifest_text(const Manifest& manifest) {
   Json json{{"taut_manifest", format_version},
-            {"kind", manifest.kind},
-            {"inputs", manifest.inputs},
-            {"physics", manifest.physics},
-            {"drawing", manifest.drawing},
-            {"build", manifest.build},
-            {"scene", manifest.scene},
-            {"method", manifest.method},
-            {"settings", settings_to_json(manifest)},
-            {"plan", manifest.plan},
-            {"halvings", manifest.halvings},
-            {"width", manifest.size.width},
-            {"height", manifest.size.height},
-            {"bits", manifest.bits},
-            {"frames_per_second", manifest.frames_per_second},
-            {"frame_rate", manifest.frame_rate},
-            {"frame_count", manifest.frame_count},
-            {"colour_range", manifest.colour_range},
-            {"picture", manifest.picture},
-            {"drawn_by", manifest.drawn_by},
-            {"films", films_to_json(manifest)},
-            {"scene_toml", manifest.scene_toml},
-            {"other_tomls", manifest.other_tomls},
-            {"frames", frames_to_json(manifest, &FrameRecord::state)},
-            {"contents", frames_to_json(manifest, &FrameRecord::content)}};
+                  {"kind", manifest.kind},
+                  {"inputs", manifest.inputs},
+                  {"physics", manifest.physics},
+                  {"drawing", manifest.drawing},
+                  {"build", manifest.build},
+                  {"scene", manifest.scene},
+                  {"method", manifest.method},
+                  {"settings", settings_to_json(manifest)},
+                  {"plan", manifest.plan},
+                  {"halvings", manifest.halvings},
+                  {"width", manifest.size.width},
+                  {"height", manifest.size.height},
+                  {"bits", manifest.bits},
+                  {"frames_per_second", manifest.frames_per_second},
+                  {"frame_rate", manifest.frame_rate},
+                  {"frame_count", manifest.frame_count},
+                  {"colour_range", manifest.colour_range},
+                  {"picture", manifest.picture},
+                  {"drawn_by", manifest.drawn_by},
+                  {"films", films_to_json(manifest.films)},
+                  {"metrics", films_to_json(manifest.metrics)},
+                  {"scene_toml", manifest.scene_toml},
+                  {"other_tomls", manifest.other_tomls},
+                  {"frames", frames_to_json(manifest, &FrameRecord::state)},
+                  {"contents", frames_to_json(manifest, &FrameRecord::content)}};
   if (!manifest.folder.empty()) json["folder"] = manifest.folder;
   constexpr int indent = 1;
   return json.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -1,12 +1,17 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <nlohmann/json.hpp>
+#include <utility>
+
 #include "colour_names.h"
 #include "scene/scene.h"
 #include "section.h"
 
 namespace taut {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 // A cell of a Markdown table: bars would end it.
 std::string cell(std::string_view text) {
@@ -49,7 +54,46 @@ std::string table(const std::vector<KeyInfo>& keys) {
                      rows(keys, ""));
 }
 
+// The ends of doubles stand for no limit.
+Json bound(double value, double none) {
+  return value == none ? Json() : Json(value);
+}
+
+Json to_json(const std::vector<KeyInfo>& keys) {
+  Json list = Json::array();
+  for (const KeyInfo& info : keys) {
+    const Range open;
+    Json key{{"name", info.name},
+             {"type", info.type},
+             {"unit", info.unit},
+             {"required", info.required},
+             {"default", info.required ? Json() : Json(info.fallback)},
+             {"min", bound(info.range.min, open.min)},
+             {"max", bound(info.range.max, open.max)},
+             {"above_min", info.range.min_excluded},
+             {"choices", info.choices},
+             {"help", info.help}};
+    if (!info.inner.empty()) key["keys"] = to_json(info.inner);
+    list.push_back(std::move(key));
+  }
+  return list;
+}
+
 }  // namespace
+
+std::string key_reference_json() {
+  Json list = Json::array();
+  for (const Section& section : all_sections()) {
+    Json groups = Json::array();
+    for (const KeyGroup& group : section.groups)
+      groups.push_back({{"title", group.title}, {"keys", to_json(group.keys)}});
+    list.push_back({{"section", section.name},
+                    {"repeated", section.repeated},
+                    {"help", section.help},
+                    {"groups", std::move(groups)}});
+  }
+  return list.dump(2);
+}
 
 std::string key_reference() {
   std::string out =

@@ -9,6 +9,7 @@
 #include "base/memory.h"
 #include "base/nearest.h"
 #include "changes.h"
+#include "key_paths.h"
 #include "methods/registry.h"
 #include "read_files.h"
 #include "scene/scene.h"
@@ -123,9 +124,10 @@ void check_look(const Node& document, const Look& look, Reader& reader) {
   }
 }
 
-void check_follow(const Node& document, const Scene& scene, Reader& reader) {
+using Names = std::vector<std::string>;
+
+void check_follow(const Node& document, const Scene& scene, const Names& names, Reader& reader) {
   const std::string& follow = scene.camera.follow;
-  const std::vector<std::string>& names = scene.model.masses.name;
   if (follow.empty() || std::ranges::find(names, follow) != names.end()) return;
   const std::vector<std::string_view> candidates(names.begin(), names.end());
   reader.plain(origin_of(document, {"camera", 0, "follow", {}, {}}),
@@ -148,11 +150,10 @@ void check_trail_memory(const Node& document, const Scene& scene, Reader& reader
                   scene.look.trails.size(), seconds, format_bytes(bytes), format_bytes(usable_memory())));
 }
 
-void check_trails(const Node& document, const Scene& scene, Reader& reader) {
+void check_trails(const Node& document, const Scene& scene, const Names& names, Reader& reader) {
   constexpr std::size_t enough = 50, most_names = 2'000'000;  // names to compare with, all trails together
   if (scene.look.trails.empty()) return;
   check_trail_memory(document, scene, reader);
-  const std::vector<std::string>& names = scene.model.masses.name;
   const std::vector<std::string_view> candidates(names.begin(), names.end());
   const std::unordered_set<std::string_view> known(names.begin(), names.end());
   for (const std::string& trail : scene.look.trails) {
@@ -164,23 +165,27 @@ void check_trails(const Node& document, const Scene& scene, Reader& reader) {
   }
 }
 
-// Makes the model; reports what is wrong with the entries as they stand to one another. What needs a model
-// is checked only when there is one to trust.
+// Makes the model; reports what is wrong with the entries as they stand to one another. What needs masses, or
+// only their names, is checked where there are some to trust, whatever else is wrong.
 void build_scene(const Node& document, Scene& scene, Reader& reader) {
   Built built = build(scene.description);
   report_problems(document, built.problems, reader);
   check_camera(document, scene.camera, reader);
   check_look(document, scene.look, reader);
-  if (reader.count() > 0) return;
+  if (built.names_known && reader.names_complete()) {
+    const Names& names = built.model.masses.name;
+    if (names.empty())
+      reader.plain({}, "the scene has no masses: it needs a [[chain]], a [[sheet]], a [[mesh]] or a [[mass]]");
+    check_follow(document, scene, names, reader);
+    check_trails(document, scene, names, reader);
+  }
+  const Method* method = find_method(scene.settings.method);
+  if (!built.problems.empty() || !reader.model_readable() || method == nullptr) return;
   scene.model = std::move(built.model);
   scene.start = std::move(built.start);
-  if (scene.model.masses.size() == 0)
-    reader.plain({}, "the scene has no masses: it needs a [[chain]], a [[sheet]], a [[mesh]] or a [[mass]]");
   keep_notes(document, built.notes, reader, scene);
-  check_follow(document, scene, reader);
-  check_trails(document, scene, reader);
   scene.settings = complete_settings(scene.settings);
-  for (const std::string& problem : capability_problems(scene.model, *find_method(scene.settings.method)))
+  for (const std::string& problem : capability_problems(scene.model, *method))
     reader.plain(origin_of(document, {"solve", 0, "method", {}, {}}), problem);
 }
 
@@ -211,8 +216,10 @@ Scene parse_scene(const std::string& text, const std::string& file, const SceneO
 
   std::optional<SyntaxError> error;
   Node document = parse_toml(body, error);
-  if (error)
-    throw BadRequest(to_text({file, error->origin.line, error->origin.column, error->message, {}}, body));
+  if (error) {
+    const Diagnostic syntax{file, error->origin.line, error->origin.column, error->message, {}};
+    throw BadScene(to_text(syntax, body), {syntax});
+  }
 
   std::vector<Diagnostic> diagnostics = apply_changes(overrides, document);
   const std::vector<Section> sections = all_sections();
@@ -220,15 +227,23 @@ Scene parse_scene(const std::string& text, const std::string& file, const SceneO
   Scene scene = read_document(document, sections, reader);
   std::vector<Problem> file_notes;
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
-  report_problems(document, read_files(scene.description, folder, file_notes), reader);
+  for (const Problem& problem : read_files(scene.description, folder, file_notes)) {
+    if (reader.follows_from_reported(problem)) continue;
+    reader.begin_entry(problem.section, problem.index);
+    reader.unreadable(origin_of(document, problem), problem.message);
+  }
   if (!scene.description.meshes.empty() || !scene.description.points.empty())
     scene.folder = std::filesystem::absolute(folder / ".").lexically_normal().string();
   if (before_building && reader.count() == 0) before_building(count(scene.description));
   build_scene(document, scene, reader);
   if (reader.count() == 0) keep_notes(document, file_notes, reader, scene);
   diagnostics.insert(diagnostics.end(), reader.diagnostics().begin(), reader.diagnostics().end());
-  if (!diagnostics.empty())
-    throw BadRequest(to_text(std::move(diagnostics), body, most_shown, reader.left_out()));
+  if (!diagnostics.empty()) {
+    name_keys(document, diagnostics);
+    diagnostics = in_order(std::move(diagnostics));
+    const std::string shown = to_text(diagnostics, body, most_shown, reader.left_out());
+    throw BadScene(shown, std::move(diagnostics));
+  }
 
   scene.name = std::filesystem::path(file).stem().string();
   if (scene.title.empty()) scene.title = scene.name;

@@ -59,6 +59,13 @@ void Reader::unreadable(const Origin& origin, std::string message, std::string h
   if (std::ranges::find(naming, section) != naming.end()) names_incomplete_ = true;
 }
 
+bool Reader::model_readable() const {
+  static constexpr std::array<std::string_view, 5> no_parts{"world", "solve", "camera", "look", "expect"};
+  return std::ranges::all_of(unreadable_, [](const EntryId& entry) {
+    return std::ranges::find(no_parts, entry.first) != no_parts.end();
+  });
+}
+
 bool Reader::follows_from_reported(const Problem& problem) const {
   const EntryId id{problem.section, problem.index};
   if (unreadable_.contains(id)) return true;

@@ -45,6 +45,11 @@ class Reader {
   /// True when a problem found in what was read is already reported, or follows from something reported.
   bool follows_from_reported(const Problem& problem) const;
 
+  /// Whether the masses that were read are all that were meant, under the names they were meant to have.
+  bool names_complete() const { return !names_incomplete_; }
+  /// Whether every entry that makes a part of the model could be read as meant.
+  bool model_readable() const;
+
   /// How many errors there are, those beyond the most that are kept included.
   std::size_t count() const { return diagnostics_.size() + left_out_; }
   /// Whether there are so many errors that no more are worth looking for.

@@ -91,10 +91,6 @@ ChartCase run_case(const Scene& scene, const Truth& truth, const Settings& setti
   return done;
 }
 
-std::size_t handled(const GridWalk::Counts& counts) {
-  return counts.run + counts.off_front + counts.no_gain + counts.too_dear;
-}
-
 }  // namespace
 
 double ChartCase::seconds() const {
@@ -126,7 +122,7 @@ Chart measure_chart(const Scene& scene, const ChartRequest& request, const std::
 
   GridWalk walk(scene.model, chart.curves, chart.truth, longest_run(scene, chart.truth, request.budget));
   const Stopwatch watch;
-  progress.start(static_cast<int>(walk.counts().open));
+  progress.start(static_cast<int>(walk.counts().all()));
   while (const std::optional<GridPoint> point = walk.next()) {
     const MethodVariant& curve = chart.curves[point->curve];
     const std::string key = key_of(curve, *point);
@@ -138,7 +134,7 @@ Chart measure_chart(const Scene& scene, const ChartRequest& request, const std::
     }
     chart.cases.push_back(case_from_json(store.result(key), *point));
     walk.record(chart.cases.back().run);
-    progress.update(static_cast<int>(handled(walk.counts())));
+    progress.update(static_cast<int>(walk.counts().done()));
   }
   chart.counts = walk.counts();
   if (chart.complete()) mark_end(store, request.shard);

@@ -79,8 +79,7 @@ std::string runs_note(const Chart& chart) {
 }
 
 std::string counts_note(const Chart& chart) {
-  const auto& counts = chart.counts;
-  return fmt::format("{} of {} cases", counts.run, counts.run + counts.open);
+  return fmt::format("{} of {} cases", chart.counts.done(), chart.counts.all());
 }
 
 // What stands across the picture, in words.

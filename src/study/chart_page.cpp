@@ -167,7 +167,7 @@ function draw() {
     'Reference: ' + chart.reference + '.', chart.remark && 'Note: ' + chart.remark + '.',
     diverged.length ? `Diverged or refused (${diverged.length}): ` + diverged.map(c => c.curve + ' ' + (c.settings.steps_per_second ? c.settings.steps_per_second + '/s' : c.settings.tolerance + ' m') + (c.settings.passes > 1 ? ' × ' + c.settings.passes : '')).join(', ') + '.' : 'No run diverged.',
     chart.omissions.length && 'Left out: ' + chart.omissions.join('; ') + '.',
-    `${chart.completed} of ${chart.planned} cases; pruned: ${chart.left_out.off_the_front} off their method's front, ${chart.left_out.no_gain} without gain, ${chart.left_out.too_dear} too slow.`,
+    `${chart.completed} cases run, ${chart.planned - chart.completed} open; left out: ${chart.left_out.off_the_front} off their method's front, ${chart.left_out.no_gain} without gain, ${chart.left_out.too_dear} too slow.`,
     `${chart.processor}; ${chart.build}; ${chart.flags}; commit ${chart.commit}.`].filter(note => note);
   at('notes').replaceChildren(...notes.map(note => { const p = document.createElement('p'); p.textContent = note; return p; }));
   at('tip').hidden = true;

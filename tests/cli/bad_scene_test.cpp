@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
 #include <ostream>
 #include <string>
 
@@ -111,6 +112,41 @@ TEST(MissingScene, AFolderIsNoScene) {
   const Ran ran = taut({"check", folder.path().string() + "/"});
   EXPECT_EQ(ran.status, 2);
   EXPECT_NE(ran.err.find("is a folder"), std::string::npos) << ran.err;
+}
+
+// As data, on standard output, with every verb that has --json; the words still go to standard error.
+TEST(BadScenes, AreTellableAsJson) {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("bad.toml", replaced("duration", "duratoin"));
+  for (const std::string verb : {"check", "render", "sag"}) {
+    const Ran ran = taut({verb, scene, "--json"}, {}, folder.path());
+    EXPECT_EQ(ran.status, 2) << verb;
+    const nlohmann::json json = nlohmann::json::parse(ran.out);
+    const nlohmann::json errors = (verb == "check" ? json[0] : json)["errors"];
+    ASSERT_EQ(errors.size(), 1U) << verb;
+    EXPECT_EQ(errors[0]["file"], scene);
+    EXPECT_EQ(errors[0]["line"], 3);
+    EXPECT_EQ(errors[0]["column"], 1);
+    EXPECT_EQ(errors[0]["key"], "world.duratoin");
+    EXPECT_EQ(errors[0]["message"], "unknown key \"duratoin\" in [world]");
+    EXPECT_EQ(errors[0]["hint"], "did you mean \"duration\" (s)?");
+    EXPECT_NE(ran.err.find("did you mean"), std::string::npos) << ran.err;
+    EXPECT_EQ(folder.entries(), 1U) << verb << ": nothing but the scene itself";
+  }
+  const Ran ran = taut({"render", "nowhere.toml", "--json"}, {}, folder.path());
+  EXPECT_EQ(ran.status, 2);
+  EXPECT_EQ(nlohmann::json::parse(ran.out)["errors"][0]["message"], "there is no scene file nowhere.toml");
+}
+
+// What stands in the way of its pictures and of its run, beside each other.
+TEST(BadScenes, ToldAtOnceByCheck) {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write(
+      "bad.toml", replaced("method = \"xpbd\"\nsteps_per_second = 240\npasses = 1", "method = \"euler\"") +
+                      "[look]\ncolour_by = \"tension\"\nexact = true\n[wind]\nvelocity = [1, 0, 0]\n");
+  const Ran ran = taut({"check", scene});
+  EXPECT_EQ(ran.status, 2);
+  EXPECT_NE(ran.err.find("knows no tensions to colour by"), std::string::npos) << ran.err;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -70,6 +71,28 @@ TEST(Chart, HoldsEveryRawTimeAndWhatItWasMeasuredWith) {
   for (const char* file : {"small-trajectory.png", "small-trajectory.svg", "small-trajectory-solves.png",
                            "small-trajectory-solves.svg", "small.csv", "chart.html"})
     EXPECT_TRUE(std::filesystem::exists(folder / (std::string("chart/") + file))) << file;
+}
+
+// Those run and those left out together, as the progress counts them.
+TEST(Chart, CountsTheSameCasesInProgressAndSummary) {
+  const TemporaryFolder folder;
+  folder.write("small.toml", small_scene());
+  const std::vector<std::string> words{"chart",    folder / "small.toml", "--methods", "rattle",
+                                       "--errors", "trajectory",          "--budget",  "40s",
+                                       "-o",       folder / "chart"};
+  const Ran ran = taut(words, cache_in(folder));
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  std::smatch progress, summary;
+  const std::regex counted("([0-9]+)/([0-9]+) cases");
+  ASSERT_TRUE(std::regex_search(ran.err, progress, counted)) << ran.err;
+  ASSERT_TRUE(std::regex_search(ran.err, summary, std::regex("small: ([0-9]+) of ([0-9]+) cases")))
+      << ran.err;
+  EXPECT_EQ(progress[2], summary[2]);
+  EXPECT_EQ(summary[1], summary[2]);
+  const Json chart = Json::parse(read_file(folder / "chart/small.json"));
+  std::size_t handled = chart["completed"].get<std::size_t>();
+  for (const auto& [why, count] : chart["left_out"].items()) handled += count.get<std::size_t>();
+  EXPECT_EQ(summary[1], std::to_string(handled));
 }
 
 TEST(Chart, HasItsNotesInACaptionBesideIt) {

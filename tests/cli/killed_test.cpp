@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "metrics_lines.h"
 #include "program.h"
 
 // Runs that are killed at moments of no one's choosing, and run again until they are done: what they leave is
@@ -19,7 +20,6 @@ namespace taut::testing {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
 using Words = std::vector<std::string>;
 
 // A sheet that tears: long enough for a checkpoint or two, quick to draw. Its eye is given: looking for one
@@ -92,6 +92,7 @@ class KilledTest : public ::testing::Test {
       } else {
         if (!output.empty()) fs::remove_all(folder_ / output);
         fs::remove_all(folder_ / (film + ".mp4"));
+        fs::remove_all(folder_ / (film + ".jsonl"));
         fs::remove_all(folder_ / "cache");
       }
     }
@@ -117,16 +118,23 @@ class KilledTest : public ::testing::Test {
   Environment environment_{{"TAUT_CACHE", folder_ / "cache"}};
 };
 
-TEST_F(KilledTest, RenderWithAFilm) {
+TEST_F(KilledTest, RenderWithAFilmAndMetrics) {
   const auto words = [&](const std::string& name) {
-    return Words{"render", scene_,      "-o", folder_ / name, "--film", folder_ / (name + ".mp4"), "--size",
-                 "64x48",  "--threads", "2"};
+    return Words{"render",    scene_,
+                 "-o",        folder_ / name,
+                 "--film",    folder_ / (name + ".mp4"),
+                 "--metrics", folder_ / (name + ".jsonl"),
+                 "--size",    "64x48",
+                 "--threads", "2"};
   };
   ASSERT_NO_FATAL_FAILURE(run_whole(words("whole")));
   kill_often(words("killed"), "killed", "killed", 1);
   EXPECT_EQ(files_in(folder_ / "whole", ".png"), files_in(folder_ / "killed", ".png"));
   EXPECT_EQ(manifest_in(folder_ / "whole")["frames"], manifest_in(folder_ / "killed")["frames"]);
   EXPECT_TRUE(read_file(folder_ / "whole.mp4") == read_file(folder_ / "killed.mp4"));
+  const std::string whole = read_file(folder_ / "whole.jsonl");
+  EXPECT_EQ(lines_of(whole).size(), 90U);
+  EXPECT_TRUE(measured_part(whole) == measured_part(read_file(folder_ / "killed.jsonl")));
   EXPECT_EQ(taut({"verify", folder_ / "killed"}).status, 0);
   EXPECT_FALSE(fs::exists(folder_ / "killed/checkpoint.bin")) << "what is whole needs none";
 }

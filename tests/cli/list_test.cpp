@@ -72,6 +72,22 @@ TEST(List, KeysAreTheReference) {
     EXPECT_NE(ran.out.find(key), std::string::npos) << key;
 }
 
+TEST(List, KeysAreDataToo) {
+  const Ran ran = taut({"list", "keys", "--json"});
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  bool found = false;
+  for (const auto& section : nlohmann::json::parse(ran.out))
+    for (const auto& group : section["groups"])
+      for (const auto& key : group["keys"]) {
+        if (section["section"] != "world" || key["name"] != "drag") continue;
+        found = true;
+        EXPECT_EQ(key["unit"], "1/s");
+        EXPECT_EQ(key["min"], 0.0);
+        EXPECT_EQ(key["default"], "0.0");
+      }
+  EXPECT_TRUE(found);
+}
+
 TEST(Help, EveryVerbHasAnExample) {
   for (const std::string verb : {"render", "still", "strip", "check", "list"}) {
     const Ran ran = taut({verb, "--help"});

@@ -154,7 +154,7 @@ TEST(MeshReading, BrokenMeshesSayWhatIsWrongAndWhere) {
        "a.obj:5: the face comes to one of its corners twice"},
       {"a.obj", "v 0 0 0\nv 0 0 1\nv 1 0 0\nv 0 1 0\nv -1 0 0\nf 1 2 3\nf 1 2 4\nf 2 1 5\n",
        "a.obj:8: three faces meet at one edge, and cloth has two at most: those of lines 6, 7 and 8, from "
-       "(0, 0, 0) "
+       "(0, 0, 1) "
        "to (0, 0, 0) in the file"},
       {"a.obj", "v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n",
        "a.obj: no face is left, since all of its corners are within 0 m of each other: is \"scale\" right, "

@@ -14,6 +14,7 @@ struct Diagnostic {
   std::size_t column = 0;  ///< in characters (code points), from 1
   std::string message;     ///< one sentence without full stop
   std::string hint;        ///< a line below the caret, such as `did you mean "drag"?`; may be empty
+  std::string key{};       ///< which key of the input, as a dotted path; may be empty
 };
 
 /// One diagnostic as text without a final newline: `origin:line:column: message`, then, when it has a line,
@@ -24,7 +25,10 @@ std::string to_text(const Diagnostic& diagnostic, std::string_view text);
 /// One diagnostic as one line, `origin:line:column: message`, without the line of the text and the hint.
 std::string one_line(const Diagnostic& diagnostic);
 
-/// All of them, those with a line first, in the order of lines and columns. After `most` of them follows a
+/// Those with a line first, in the order of lines and columns.
+std::vector<Diagnostic> in_order(std::vector<Diagnostic> diagnostics);
+
+/// All of them, in_order(). After `most` of them follows a
 /// count of the others and of `left_out` more that the caller did not keep.
 std::string to_text(std::vector<Diagnostic> diagnostics, std::string_view text, std::size_t most,
                     std::size_t left_out = 0);

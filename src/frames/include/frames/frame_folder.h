@@ -62,10 +62,12 @@ class FrameFolder {
   /// Takes the checkpoint away, where there is one.
   void remove_checkpoint() const;
 
-  /// Remembers a film, beside others of the same name.
-  void add_film(const FilmRecord& film) { manifest_.films.push_back(film); }
-  /// Forgets all films of that one's name but it.
-  void keep_only(const FilmRecord& film);
+  /// Remembers a film (or a file of metrics), beside others of the same name.
+  void add_film(const FilmRecord& film, FilmList list = &Manifest::films) {
+    (manifest_.*list).push_back(film);
+  }
+  /// Forgets all of that one's name but it.
+  void keep_only(const FilmRecord& film, FilmList list = &Manifest::films);
   /// Remembers which steps could only be made in parts (Manifest::halvings).
   void set_halvings(const std::string& halvings) { manifest_.halvings = halvings; }
   /// Remembers what draws (GlContext::description()).

@@ -31,6 +31,7 @@ struct RenderRequest {
   int cores = 1;             ///< that all stages have together
   /// Shown every state of the run as it is simulated (of several, of the first); may be empty.
   std::function<void(const State&)> watch;
+  std::optional<std::filesystem::path> metrics;  ///< what is measured of every frame, see metrics.h
   std::string plan;  ///< why the scene is run as it is, for the manifest; may be empty
   Shard shard;       ///< which part of the frames
   /// Played instead of simulating; of the scene's physics. Null: the scene is simulated.

@@ -19,6 +19,7 @@ namespace taut {
 struct MotionRequest {
   std::filesystem::path folder;
   FrameRate rate;
+  std::optional<std::filesystem::path> metrics{};  ///< what is measured of every moment, see metrics.h
   bool overwrite = false;
   Execution execution = {};
   std::string plan;  ///< why the scene is run as it is, for the manifest; may be empty

@@ -63,6 +63,11 @@ class GridWalk {
   /// How many points were left out, and why, and how many are neither run nor left out so far.
   struct Counts {
     std::size_t run = 0, off_front = 0, no_gain = 0, too_dear = 0, open = 0;
+
+    std::size_t left_out() const { return off_front + no_gain + too_dear; }
+    /// Points that nothing is left to be done about, and all there are: what progress and summaries count.
+    std::size_t done() const { return run + left_out(); }
+    std::size_t all() const { return done() + open; }
   };
   Counts counts() const;
 

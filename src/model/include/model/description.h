@@ -413,6 +413,7 @@ struct Built {
   State start;
   std::vector<Problem> problems;  ///< when not empty, model and start are not to be used
   std::vector<Problem> notes{};   ///< what is allowed but seldom meant; none where there are problems
+  bool names_known = false;       ///< the names of the model's masses are right, whatever the problems
 };
 
 /// Validates a description and builds its model and the state at t = 0. Masses come in the order chains,

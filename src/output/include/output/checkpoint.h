@@ -14,7 +14,8 @@ namespace taut {
 /// takes to simulate on to that one.
 struct Checkpoint {
   int frame = 1;
-  std::string state;  ///< bytes
+  std::string state;      ///< bytes
+  std::string metrics{};  ///< bytes, of the frames before; empty where they aren't measured
 };
 
 /// Writes a checkpoint, atomically, and so that it outlives a loss of power; `inputs` is a hash of what the

@@ -12,10 +12,10 @@
 
 namespace taut {
 
-/// A film in a manifest.
+/// A film, or a file of metrics, in a manifest.
 struct FilmRecord {
   std::string file;    ///< as given
-  std::string frames;  ///< the selection it shows, such as "1-180"
+  std::string frames;  ///< the selection it is of, such as "1-180"
   std::uintmax_t bytes = 0;
   std::string content;  ///< hash of the file's bytes
 };
@@ -51,8 +51,11 @@ struct Manifest {
   std::string physics, drawing;       ///< what decided motion and look, see host/versions.h
   std::string build;                  ///< which build of taut was the last to work on it
   std::map<int, FrameRecord> frames;  ///< by number, from 1
-  std::vector<FilmRecord> films;
+  std::vector<FilmRecord> films, metrics;
 };
+
+/// Which of a manifest's lists of files is meant.
+using FilmList = std::vector<FilmRecord> Manifest::*;
 
 /// The hash of everything that decides what frames look like, worked out from the manifest itself. A motion's
 /// comes from less: it has none here, and gives what it holds.

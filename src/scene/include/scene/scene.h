@@ -4,8 +4,11 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "base/diagnostic.h"
+#include "base/failure.h"
 #include "methods/method.h"
 #include "model/description.h"
 #include "model/size.h"
@@ -13,6 +16,19 @@
 #include "view/view.h"
 
 namespace taut {
+
+/// A scene that can't be meant. The text holds every error with file, line, column, the line, a caret and the
+/// nearest right name.
+class BadScene : public BadRequest {
+ public:
+  BadScene(const std::string& text, std::vector<Diagnostic> errors)
+      : BadRequest(text), errors_(std::move(errors)) {}
+  /// Those with a line first, in the order of lines and columns.
+  const std::vector<Diagnostic>& errors() const { return errors_; }
+
+ private:
+  std::vector<Diagnostic> errors_;
+};
 
 /// A scene file, read, checked and built.
 struct Scene {
@@ -42,8 +58,7 @@ struct SceneOverrides {
 /// Told what a scene asks for, once that is known and before it is built.
 using BeforeBuilding = std::function<void(const Counts&)>;
 
-/// Reads and builds a scene. Throws BadRequest whose text holds every error of the file, each with file,
-/// line, column, the line, a caret and the nearest right name.
+/// Reads and builds a scene. Throws BadScene, and BadRequest where there is no file to read.
 Scene load_scene(const std::filesystem::path& file, const SceneOverrides& overrides = {},
                  const BeforeBuilding& before_building = {});
 
@@ -57,5 +72,8 @@ std::string resolved_toml(const Scene& scene);
 
 /// The reference of every key of a scene file as Markdown, made from the parser's own table.
 std::string key_reference();
+
+/// The same as JSON: an array of sections, each with its keys, their types, units, defaults and ranges.
+std::string key_reference_json();
 
 }  // namespace taut
