@@ -133,16 +133,13 @@ class MeshCutter {
       made_.torn_vertices.push_back({torn, corner, share, from_tear, middle});
       return static_cast<Index>(places_.size() - 1);
     };
-    const Index centre = vertex(glm::vec3(1.0F / 3.0F), 0.0F, true);
-    std::vector<Index> loop;
-    add_side(loop, torn, corner, before, before, vertex);
     const Index place = vertex(at_corner, 1.0F);
-    std::ranges::reverse(loop);
-    std::vector<Index> other;
-    add_side(other, torn, corner, next, corner, vertex);
-    loop.push_back(place);
-    loop.insert(loop.end(), other.begin(), other.end());
-    for (std::size_t i = 0; i + 1 < loop.size(); ++i) add(centre, loop[i], loop[i + 1]);
+    std::vector<Index> loop, behind;
+    add_side(loop, torn, corner, next, corner, vertex);
+    add_side(behind, torn, corner, before, before, vertex);
+    loop.push_back(vertex(glm::vec3(1.0F / 3.0F), 0.0F, true));
+    loop.insert(loop.end(), behind.rbegin(), behind.rend());
+    for (std::size_t i = 0; i + 1 < loop.size(); ++i) add(place, loop[i], loop[i + 1]);
     return place;
   }
 
