@@ -42,7 +42,8 @@ inline std::map<std::string, std::string> key_file_scenes() {
       {"loose mesh", soft_mesh(between)},
       {"tearing mesh", soft_mesh(tear) + pulled},
       {"stiff mesh",
-       mesh + "pinned_masses = [0, 3, 6]\nturn = [45.0, 0.0, 0.0]\nbending = { stiffness = 0.001 }\nLINKS\n"},
+       "[[mesh]]\nname = \"cloth\"\nfile = \"FILES/bent.obj\"\nposition = [0.0, 2.0, 0.0]\nmass = 0.3\n"
+       "pinned_masses = [0, 4]\nbending = { stiffness = 0.001 }\nLINKS\n"},
       {"moved mesh", mesh + "pinned_masses = [0, 1, 2]\nmotion = { amplitude = [0.01, 0.0, 0.01], "
                             "angular_frequency = 8.0, phase "
                             "= 0.0 }\nLINKS\n"},
@@ -112,7 +113,7 @@ inline void add_file_cases(std::map<std::string, KeyCase>& all) {
   all["points.position"] = {"points", "[0.0, 0.1, 0.0]", ""};
   all["points.turn"] = {"points", "[0.0, 0.0, 10.0]", ""};
   all["points.mass"] = {"springy points", "0.3", ""};
-  all["points.pinned"] = {"points", R"(["c"])", ""};
+  all["points.pinned"] = {"points", R"(["d"])", ""};
   all["points.radius"] = {"points on a ball", "0.07", ""};
   all["points.collides"] = {"points on a ball", "false", ""};
   for (const std::string of : {"mesh.", "mesh.diagonals.", "mesh.skip_one.", "points."}) {
