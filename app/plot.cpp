@@ -132,7 +132,7 @@ int plot_scene(const PlotFlags& flags, const InterruptWatch& interrupts) {
   std::optional<StoredMotion> motion;
   if (!flags.motion.empty()) motion = open_motion(flags.motion);
   Scene scene = flags.scene.scene.empty()
-                    ? parse_scene(motion->manifest.scene_toml, flags.motion, flags.scene.overrides())
+                    ? scene_of_motion(*motion, flags.motion, flags.scene.overrides())
                     : load(flags.scene.scene, flags.scene.overrides(), flags.quiet);
   if (flags.scene.scene.empty()) scene.name = motion->manifest.scene;
   if (motion) require_same_motion(scene, *motion);

@@ -160,8 +160,11 @@ StoredMotion open_motion(const fs::path& folder) {
 
 Scene scene_of_motion(const StoredMotion& motion, const std::string& folder,
                       const SceneOverrides& overrides) {
-  Scene scene = parse_scene(motion.manifest.scene_toml, folder, overrides);
-  scene.name = motion.manifest.scene;
+  const Manifest& manifest = motion.manifest;
+  const std::string file =
+      manifest.folder.empty() ? folder : (fs::path(manifest.folder) / manifest.scene).string();
+  Scene scene = parse_scene(manifest.scene_toml, file, overrides);
+  scene.name = manifest.scene;
   return scene;
 }
 

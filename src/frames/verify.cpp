@@ -34,7 +34,8 @@ std::vector<Scene> scenes_of(const Manifest& manifest) {
   tomls.insert(tomls.end(), manifest.other_tomls.begin(), manifest.other_tomls.end());
   std::vector<Scene> scenes;
   scenes.reserve(tomls.size());
-  for (const std::string& toml : tomls) scenes.push_back(parse_scene(toml, manifest.scene));
+  const std::string file = (fs::path(manifest.folder) / manifest.scene).string();
+  for (const std::string& toml : tomls) scenes.push_back(parse_scene(toml, file));
   return scenes;
 }
 

@@ -27,6 +27,7 @@ Manifest common_manifest(std::span<const Scene> scenes, const FrameRate& rate, c
   Manifest manifest;
   manifest.scene = scene.name;
   manifest.scene_toml = resolved_toml(scene);
+  manifest.folder = scene.folder;
   describe_methods(scenes, manifest);
   manifest.frames_per_second = rate.value();
   manifest.frame_rate = rate.text();

@@ -26,11 +26,17 @@ void set_stiffness(Description& description, double stiffness, bool of_rigid_lin
     if (sheet.diagonals) set(*sheet.diagonals);
     if (sheet.skip_one) set(*sheet.skip_one);
   }
+  for (MeshSpec& mesh : description.meshes) {
+    set(mesh.properties);
+    if (mesh.diagonals) set(*mesh.diagonals);
+    if (mesh.skip_one) set(*mesh.skip_one);
+  }
+  for (PointsSpec& points : description.points) set(points.properties);
 }
 
 void set_links(Description& description, int links) {
-  if (description.chains.size() != 1 || !description.sheets.empty() || !description.links.empty() ||
-      !description.chains[0].straight())
+  if (description.chains.size() != 1 || !description.sheets.empty() || !description.meshes.empty() ||
+      !description.points.empty() || !description.links.empty() || !description.chains[0].straight())
     throw BadRequest(
         "a map over the number of links needs a scene that is one straight [[chain]] and has no other links");
   ChainSpec& chain = description.chains[0];

@@ -106,8 +106,9 @@ Wind wind_of(const WindSpec& spec, const Vec3& up) {
 bool masses_are_sound(const std::vector<Problem>& problems) {
   return std::none_of(problems.begin(), problems.end(), [](const Problem& problem) {
     return problem.section == "chain" || problem.section == "sheet" || problem.section == "mass" ||
-           problem.section == "ragdoll" || problem.section == "plane" || problem.section == "sphere" ||
-           problem.section == "capsule" || problem.section == "box";
+           problem.section == "mesh" || problem.section == "points" || problem.section == "ragdoll" ||
+           problem.section == "plane" || problem.section == "sphere" || problem.section == "capsule" ||
+           problem.section == "box";
   });
 }
 
@@ -123,6 +124,11 @@ MassesByName names_in_use(const Description& description, const Masses& masses) 
 }
 
 }  // namespace
+
+SectionEntry sheet_entry(const Description& description, std::size_t sheet) {
+  const std::size_t sheets = description.sheets.size();
+  return sheet < sheets ? SectionEntry{"sheet", sheet} : SectionEntry{"mesh", sheet - sheets};
+}
 
 std::string nearest_mass(std::string_view name, const Masses& masses, const std::vector<Problem>& problems) {
   constexpr std::size_t enough = 50, most_names = 2'000'000;  // names to compare with, all problems together
@@ -150,6 +156,14 @@ Built build(const Description& description) {
   for (std::size_t i = 0; i < description.sheets.size(); ++i) {
     builder.begin_entry("sheet", i);
     add_sheet(builder, description.sheets[i]);
+  }
+  for (std::size_t i = 0; i < description.meshes.size(); ++i) {
+    builder.begin_entry("mesh", i);
+    add_mesh(builder, description.meshes[i]);
+  }
+  for (std::size_t i = 0; i < description.points.size(); ++i) {
+    builder.begin_entry("points", i);
+    add_points(builder, description.points[i]);
   }
   for (std::size_t i = 0; i < description.ragdolls.size(); ++i) {
     builder.begin_entry("ragdoll", i);

@@ -56,12 +56,19 @@ class SeamBuilder {
     if (found == sheets.end()) {
       std::vector<std::string_view> names;
       names.reserve(sheets.size());
-      for (const Sheet& sheet : sheets) names.emplace_back(sheet.name);
+      for (const Sheet& sheet : sheets)
+        if (!sheet.is_mesh()) names.emplace_back(sheet.name);
       report("sheet", fmt::format("no sheet is named \"{}\"", spec.sheet),
              std::string(nearest_name(spec.sheet, names)));
       return {};
     }
     const Sheet& sheet = *found;
+    if (sheet.is_mesh()) {
+      report("sheet", fmt::format("\"{}\" is a mesh, which has no rows and columns: say between which masses "
+                                  "the seam lies, with \"a\" and \"b\"",
+                                  spec.sheet));
+      return {};
+    }
     const Index lines = spec.row ? sheet.rows : sheet.columns;
     const int line = spec.row ? *spec.row : *spec.column;
     if (line < 0 || static_cast<Index>(line) + 1 >= lines) {
@@ -72,7 +79,7 @@ class SeamBuilder {
       return {};
     }
     const auto inside = [&](Index mass) {
-      return mass >= sheet.first_mass && mass < sheet.first_mass + sheet.rows * sheet.columns;
+      return mass >= sheet.first_mass && mass < sheet.first_mass + sheet.mass_count;
     };
     const auto is_beyond = [&](Index mass) {
       const Index place = mass - sheet.first_mass;

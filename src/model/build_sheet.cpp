@@ -227,6 +227,7 @@ void add_sheet(Builder& builder, const SheetSpec& spec) {
   Sheet sheet;
   sheet.name = spec.name;
   sheet.first_mass = static_cast<Index>(builder.model.masses.size());
+  sheet.mass_count = static_cast<Index>(spec.rows) * static_cast<Index>(spec.columns);
   sheet.rows = static_cast<Index>(spec.rows);
   sheet.columns = static_cast<Index>(spec.columns);
   sheet.first_triangle = static_cast<Index>(builder.model.triangles.size());

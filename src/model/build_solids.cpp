@@ -109,8 +109,7 @@ void add_bone_contacts(Builder& builder, const Bone& bone, Index body) {
 void mark_corners(Model& model, const SheetFaces& faces) {
   const Sheet& sheet = model.sheets[faces.sheet];
   for (ContactPoint& point : model.contacts)
-    if (point.masses[0] >= sheet.first_mass &&
-        point.masses[0] - sheet.first_mass < sheet.rows * sheet.columns)
+    if (point.masses[0] >= sheet.first_mass && point.masses[0] - sheet.first_mass < sheet.mass_count)
       point.of_faces = true;
 }
 
@@ -145,7 +144,7 @@ void add_solids(Builder& builder, const Description& description) {
 }
 
 // In the order in which add_solids() has them.
-SolidEntry solid_entry(const Description& description, std::size_t collider) {
+SectionEntry solid_entry(const Description& description, std::size_t collider) {
   const std::array<std::pair<std::string_view, std::size_t>, 4> sections{{
       {"plane", description.planes.size()},
       {"sphere", description.spheres.size()},

@@ -8,6 +8,7 @@
 
 #include "model/description.h"
 #include "model/size.h"
+#include "model/turned.h"
 
 namespace taut {
 
@@ -67,6 +68,12 @@ class Builder {
   Index body_ = no_body, bodies_ = 0;
 };
 
+/// An entry of a description: its section, and which of that it is.
+struct SectionEntry {
+  std::string_view section;
+  std::size_t index = 0;
+};
+
 using MassesByName = std::unordered_map<std::string_view, Index>;
 
 /// Adds all of a valid chain; the description has the solids that it may be wound around.
@@ -74,6 +81,16 @@ void add_chain(Builder& builder, const ChainSpec& spec, const Description& descr
 
 /// Adds all of a valid sheet.
 void add_sheet(Builder& builder, const SheetSpec& spec);
+
+/// Adds all of a valid mesh, and of valid points.
+void add_mesh(Builder& builder, const MeshSpec& spec);
+void add_points(Builder& builder, const PointsSpec& spec);
+
+/// Which vertices of a valid mesh are pinned.
+std::vector<bool> pinned_vertices(const MeshSpec& spec);
+
+/// The entry of a description that one of the model's sheets comes from: a sheet's or a mesh's.
+SectionEntry sheet_entry(const Description& description, std::size_t sheet);
 
 /// Adds all of a valid ragdoll; reports joints that are outside their ranges at the start.
 void add_ragdoll(Builder& builder, const RagdollSpec& spec, std::size_t index,
@@ -93,12 +110,8 @@ void add_limits(Builder& builder, const Description& description, const MassesBy
 /// Adds what masses can hit: before the pins that solids carry.
 void add_solids(Builder& builder, const Description& description);
 
-/// The entry of a description that a collider comes from, and which of its section's it is.
-struct SolidEntry {
-  std::string_view section;
-  std::size_t index = 0;
-};
-SolidEntry solid_entry(const Description& description, std::size_t collider);
+/// The entry of a description that a collider comes from.
+SectionEntry solid_entry(const Description& description, std::size_t collider);
 
 /// Adds what of the masses and bones touches solids or each other: after all of them.
 void add_contact_points(Builder& builder);
@@ -120,9 +133,6 @@ void find_overreach(const Builder& builder, std::vector<Problem>& problems);
 void find_face_problems(const Builder& builder, const Description& description,
                         std::vector<Problem>& problems);
 
-/// The rotation by degrees about x, then y, then z.
-Eigen::Matrix3d turned(const Vec3& degrees);
-
 /// Of a description whose masses can't be built, what can be known all the same: what they will be called,
 /// and which names that links, loads and limits use are none of theirs. Nothing where the names themselves,
 /// or how many there are of them, is what is wrong.
@@ -135,6 +145,8 @@ std::string nearest_mass(std::string_view name, const Masses& masses, const std:
 /// What each of them has.
 Counts count(const SheetSpec& spec);
 Counts count(const ChainSpec& spec);
+Counts count(const MeshSpec& spec);
+Counts count(const PointsSpec& spec);
 Counts count(const RagdollSpec& spec);
 
 /// Everything wrong with a description that shows without building it: numbers, names and counts.

@@ -35,7 +35,8 @@ class FaceStart {
       const auto& [kind, first, places] = findings_[i];
       if (places == 0) continue;
       const std::string more = places > 1 ? fmt::format("; there are {} such places", places) : "";
-      problems.push_back({"sheet", model_.faces[i].sheet, "faces", first + more, ""});
+      const auto [section, index] = sheet_entry(description_, model_.faces[i].sheet);
+      problems.push_back({std::string(section), index, "faces", first + more, ""});
     }
   }
 

@@ -25,6 +25,11 @@ class Checker {
   void require(bool holds, std::string_view key, std::string message) {
     if (!holds) problems.push_back({section_, index_, std::string(key), std::move(message), ""});
   }
+  /// The same of a name, with the one that may have been meant.
+  void require_named(bool holds, std::string_view key, std::string message, std::string_view nearest) {
+    if (!holds)
+      problems.push_back({section_, index_, std::string(key), std::move(message), std::string(nearest)});
+  }
   void positive(double value, std::string_view key, std::string_view unit) {
     require(std::isfinite(value) && value > 0.0, key,
             fmt::format("{} must be above 0 {}, not {}", key, unit, value));
@@ -158,6 +163,9 @@ void check_each(Checker& check, std::string_view section, const std::vector<Spec
 
 /// Adds what is wrong with limits on angles and with ragdolls.
 void check_bodies(Checker& check, const Description& description);
+
+/// Adds what is wrong with meshes and points, whose files have been read.
+void check_files(Checker& check, const Description& description);
 
 /// Adds what is wrong with solids and the wind.
 void check_surroundings(Checker& check, const Description& description);

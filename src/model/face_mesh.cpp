@@ -65,6 +65,7 @@ std::uint64_t spread_bits(std::uint32_t number) {
 
 // The masses of a sheet along a curve that fills it, Z by Z: what is near on the curve is near in the sheet.
 std::vector<Index> along_curve(const Sheet& sheet) {
+  if (sheet.is_mesh()) return sheet.along_curve;
   std::vector<Index> order(std::size_t{sheet.rows} * sheet.columns);
   std::iota(order.begin(), order.end(), Index{0});
   const auto place = [&](Index i) {
@@ -79,7 +80,7 @@ std::vector<Index> along_curve(const Sheet& sheet) {
 std::vector<std::uint32_t> add_sheet_nodes(FaceMesh& mesh, const Model& model, const SheetFaces& faces,
                                            std::uint32_t group) {
   const Sheet& sheet = model.sheets[faces.sheet];
-  std::vector<std::uint32_t> node_of(std::size_t{sheet.rows} * sheet.columns);
+  std::vector<std::uint32_t> node_of(sheet.mass_count);
   for (const Index i : along_curve(sheet)) {
     node_of[i] = mesh.size();
     mesh.mass.push_back(sheet.first_mass + i);

@@ -45,7 +45,9 @@ void find_crowds(const Builder& builder, const Description& description, std::ve
   const std::string_view body = std::string_view(first).substr(0, first.find('.'));
   if (!report_in("mass", description.masses, body, message, problems) &&
       !report_in("chain", description.chains, body, message, problems) &&
-      !report_in("sheet", description.sheets, body, message, problems))
+      !report_in("sheet", description.sheets, body, message, problems) &&
+      !report_in("mesh", description.meshes, body, message, problems) &&
+      !report_in("points", description.points, body, message, problems))
     report_in("ragdoll", description.ragdolls, body, message, problems);
 }
 

@@ -35,7 +35,8 @@ class WrongLengths {
     const std::string which = fmt::format("\"{}\" to \"{}\"", model_.masses.name[model_.links.a[worst]],
                                           model_.masses.name[model_.links.b[worst]]);
     notes.push_back(
-        {std::string(entry.section), entry.index, entry.section == "sheet" ? "" : "length",
+        {std::string(entry.section), entry.index,
+         entry.section == "sheet" || entry.section == "mesh" ? "" : "length",
          fmt::format(
              "{} not as long at the start as a rigid link must be: from {} it is {:.6g} m in place of "
              "{:.6g} m ({} too {}); some methods snap it to its length in the first step, others fail",
@@ -112,6 +113,14 @@ void find_break_stretch(const Description& description, std::vector<Problem>& no
     if (sheet.diagonals) note_break_stretch(*sheet.diagonals, "sheet", i, "diagonals.", notes);
     if (sheet.skip_one) note_break_stretch(*sheet.skip_one, "sheet", i, "skip_one.", notes);
   }
+  for (std::size_t i = 0; i < description.meshes.size(); ++i) {
+    const MeshSpec& mesh = description.meshes[i];
+    note_break_stretch(mesh.properties, "mesh", i, "", notes);
+    if (mesh.diagonals) note_break_stretch(*mesh.diagonals, "mesh", i, "diagonals.", notes);
+    if (mesh.skip_one) note_break_stretch(*mesh.skip_one, "mesh", i, "skip_one.", notes);
+  }
+  for (std::size_t i = 0; i < description.points.size(); ++i)
+    note_break_stretch(description.points[i].properties, "points", i, "", notes);
   for (std::size_t i = 0; i < description.links.size(); ++i)
     note_break_stretch(description.links[i].properties, "link", i, "", notes);
   for (std::size_t i = 0; i < description.ties.size(); ++i)

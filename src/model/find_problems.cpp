@@ -251,6 +251,8 @@ void check_memory(Checker& check, const Description& description) {
   MemoryCheck memory(check);
   memory.add("chain", "links", description.chains);
   memory.add("sheet", "rows", description.sheets);
+  memory.add("mesh", "file", description.meshes);
+  memory.add("points", "masses", description.points);
   memory.add("ragdoll", "", description.ragdolls);
 }
 
@@ -262,6 +264,7 @@ std::vector<Problem> find_problems(const Description& description) {
   check_world(check, description);
   check_each(check, "chain", description.chains, check_chain);
   check_each(check, "sheet", description.sheets, check_sheet);
+  check_files(check, description);
   check_each(check, "mass", description.masses, check_mass);
   check_each(check, "link", description.links, check_link);
   check_each(check, "tie", description.ties, check_tie);

@@ -14,8 +14,10 @@ namespace taut {
 namespace {
 
 bool decides_names(const Problem& problem) {
-  static constexpr std::array<std::string_view, 4> naming{"chain", "sheet", "ragdoll", "mass"};
-  static constexpr std::array<std::string_view, 4> keys{"name", "links", "rows", "columns"};
+  static constexpr std::array<std::string_view, 6> naming{"chain",  "sheet",   "mesh",
+                                                          "points", "ragdoll", "mass"};
+  static constexpr std::array<std::string_view, 6> keys{"name",    "links", "rows",
+                                                        "columns", "file",  "masses"};
   return std::ranges::find(naming, problem.section) != naming.end() &&
          (problem.key.empty() || std::ranges::find(keys, problem.key) != keys.end());
 }
@@ -40,6 +42,16 @@ Description stand_ins(const Description& description) {
     sheet.from = next();
     sheet.to = sheet.from + Vec3::UnitX();
     sheet.down = -Vec3::UnitY();
+  }
+  for (const MeshSpec& spec : description.meshes) {
+    MeshSpec& mesh = sound.meshes.emplace_back();
+    mesh.name = spec.name;
+    mesh.data = spec.data;
+  }
+  for (const PointsSpec& spec : description.points) {
+    PointsSpec& points = sound.points.emplace_back();
+    points.name = spec.name;
+    points.data = spec.data;
   }
   for (const RagdollSpec& spec : description.ragdolls) {
     RagdollSpec& ragdoll = sound.ragdolls.emplace_back();

@@ -30,6 +30,8 @@ Counts& Counts::operator+=(const Counts& other) {
 Counts count(const Description& description) {
   Counts sum = count_all(description.chains);
   sum += count_all(description.sheets);
+  sum += count_all(description.meshes);
+  sum += count_all(description.points);
   sum += count_all(description.ragdolls);
   sum += {static_cast<double>(description.masses.size()), static_cast<double>(description.links.size()), 0.0,
           0.0};

@@ -54,6 +54,7 @@ Manifest from_json(const Json& json) {
   manifest.scene = json.at("scene").get<std::string>();
   manifest.scene_toml = json.at("scene_toml").get<std::string>();
   for (const Json& toml : json.at("other_tomls")) manifest.other_tomls.push_back(toml.get<std::string>());
+  manifest.folder = json.value("folder", "");
   manifest.method = json.at("method").get<std::string>();
   for (const auto& [name, value] : json.at("settings").items()) {
     if (value.is_number())
@@ -96,7 +97,7 @@ std::string inputs_of(const Manifest& manifest) {
 }
 
 std::string manifest_text(const Manifest& manifest) {
-  const Json json{{"taut_manifest", format_version},
+  Json json{{"taut_manifest", format_version},
                   {"kind", manifest.kind},
                   {"inputs", manifest.inputs},
                   {"physics", manifest.physics},
@@ -122,6 +123,7 @@ std::string manifest_text(const Manifest& manifest) {
                   {"other_tomls", manifest.other_tomls},
                   {"frames", frames_to_json(manifest, &FrameRecord::state)},
                   {"contents", frames_to_json(manifest, &FrameRecord::content)}};
+  if (!manifest.folder.empty()) json["folder"] = manifest.folder;
   constexpr int indent = 1;
   return json.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n";
 }

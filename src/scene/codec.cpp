@@ -255,6 +255,21 @@ bool Codec<std::vector<Vec3>>::read(const Node& node, const KeyInfo& info, std::
   return true;
 }
 
+bool Codec<std::vector<int>>::read(const Node& node, const KeyInfo& info, std::vector<int>& out,
+                                   Reader& reader) {
+  const auto* list = node.get<Node::List>();
+  if (!list) return wrong_type(node, info, type(), reader);
+  std::vector<int> numbers;
+  for (const Node& element : *list)
+    if (!Codec<int>::read(element, info, numbers.emplace_back(), reader)) return false;
+  out = std::move(numbers);
+  return true;
+}
+
+std::string Codec<std::vector<int>>::write(const std::vector<int>& value) {
+  return write_list(value, [](int number) { return Codec<int>::write(number); });
+}
+
 std::string Codec<std::vector<Vec3>>::write(const std::vector<Vec3>& value) {
   return write_list(value, [](const Vec3& place) { return Codec<Vec3>::write(place); });
 }

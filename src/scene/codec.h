@@ -117,6 +117,13 @@ bool read_numbers(const Node& node, const KeyInfo& info, std::string_view type, 
 std::string write_numbers(std::span<const double> numbers);
 
 template <>
+struct Codec<std::vector<int>> {
+  static std::string type() { return "a list of whole numbers"; }
+  static bool read(const Node& node, const KeyInfo& info, std::vector<int>& out, Reader& reader);
+  static std::string write(const std::vector<int>& value);
+};
+
+template <>
 struct Codec<Vec3> {
   static std::string type() { return "a list of 3 numbers"; }
   static bool read(const Node& node, const KeyInfo& info, Vec3& out, Reader& reader);
@@ -202,6 +209,14 @@ struct Words<ColourSteps> {
 template <>
 struct Words<LinkAction> {
   static constexpr std::array<std::string_view, 4> list{"both", "pull", "push", "between"};
+};
+template <>
+struct Words<MassShares> {
+  static constexpr std::array<std::string_view, 2> list{"area", "equal"};
+};
+template <>
+struct Words<UpAxis> {
+  static constexpr std::array<std::string_view, 2> list{"y", "z"};
 };
 template <>
 struct Words<MassShape> {

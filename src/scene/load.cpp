@@ -11,6 +11,7 @@
 #include "changes.h"
 #include "key_paths.h"
 #include "methods/registry.h"
+#include "read_files.h"
 #include "scene/scene.h"
 #include "section.h"
 #include "toml_text.h"
@@ -174,7 +175,7 @@ void build_scene(const Node& document, Scene& scene, Reader& reader) {
   if (built.names_known && reader.names_complete()) {
     const Names& names = built.model.masses.name;
     if (names.empty())
-      reader.plain({}, "the scene has no masses: it needs a [[chain]], a [[sheet]] or a [[mass]]");
+      reader.plain({}, "the scene has no masses: it needs a [[chain]], a [[sheet]], a [[mesh]] or a [[mass]]");
     check_follow(document, scene, names, reader);
     check_trails(document, scene, names, reader);
   }
@@ -224,8 +225,18 @@ Scene parse_scene(const std::string& text, const std::string& file, const SceneO
   const std::vector<Section> sections = all_sections();
   Reader reader(file, change_names(overrides), homes_of(sections));
   Scene scene = read_document(document, sections, reader);
+  std::vector<Problem> file_notes;
+  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+  for (const Problem& problem : read_files(scene.description, folder, file_notes)) {
+    if (reader.follows_from_reported(problem)) continue;
+    reader.begin_entry(problem.section, problem.index);
+    reader.unreadable(origin_of(document, problem), problem.message);
+  }
+  if (!scene.description.meshes.empty() || !scene.description.points.empty())
+    scene.folder = std::filesystem::absolute(folder / ".").lexically_normal().string();
   if (before_building && reader.count() == 0) before_building(count(scene.description));
   build_scene(document, scene, reader);
+  if (reader.count() == 0) keep_notes(document, file_notes, reader, scene);
   diagnostics.insert(diagnostics.end(), reader.diagnostics().begin(), reader.diagnostics().end());
   if (!diagnostics.empty()) {
     name_keys(document, diagnostics);

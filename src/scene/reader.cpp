@@ -54,7 +54,8 @@ void Reader::unreadable(const Origin& origin, std::string message, std::string h
   unreadable_.insert(entry_);
   const std::string& section = entry_.first;
   // An empty section is the top level: an unknown section may have been meant to hold masses.
-  static constexpr std::array<std::string_view, 5> naming{"", "mass", "chain", "sheet", "ragdoll"};
+  static constexpr std::array<std::string_view, 7> naming{"",     "mass",   "chain",  "sheet",
+                                                          "mesh", "points", "ragdoll"};
   if (std::ranges::find(naming, section) != naming.end()) names_incomplete_ = true;
 }
 

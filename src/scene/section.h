@@ -111,6 +111,7 @@ Section repeated_section(std::string name, std::string help, Keys<T> keys, Acces
 
 /// The sections of each part of a scene.
 std::vector<Section> physics_sections();
+std::vector<Section> file_sections();
 std::vector<Section> body_sections();
 std::vector<Section> surroundings_sections();
 std::vector<Section> view_sections();

@@ -13,6 +13,7 @@
 #include "scene/scene.h"
 #include "scene_key_bodies.h"
 #include "scene_key_cases.h"
+#include "scene_key_files.h"
 #include "scene_key_scenes.h"
 
 namespace taut::test {
@@ -23,7 +24,8 @@ bool about_physics(const std::string& section, const std::string& key) {
   static const std::set<std::string> pictures{"camera", "look", "expect", "solve", ""};
   static const std::set<std::string> labels{"chain.name",     "sheet.name",     "mass.name",  "ragdoll.name",
                                             "world.duration", "world.accuracy", "plane.name", "sphere.name",
-                                            "capsule.name",   "box.name"};
+                                            "capsule.name",   "box.name",       "mesh.name",  "mesh.content",
+                                            "points.name",    "points.content"};
   static const std::set<std::string> looks{"visible", "colour", "back_colour", "draw"};
   return !pictures.contains(section) && !labels.contains(section + "." + key) && !looks.contains(key);
 }
@@ -44,10 +46,25 @@ std::vector<std::string> physics_keys() {
   return keys;
 }
 
+// FILES is the folder of the files of scenes.
+std::string with_files(const std::string& text) {
+  return std::regex_replace(text, std::regex("FILES"), TAUT_TEST_DATA "/physics/key_files");
+}
+
 std::string text_for(const KeyCase& each, const Method& method) {
+  static const std::map<std::string, std::string> key_files = key_file_scenes();
   const std::string soft_links = method.can.rigid ? "" : "stiffness = 2000.0";
-  const auto& scenes = key_bodies.contains(each.scene) ? key_bodies : key_scenes;
-  return std::regex_replace(scenes.at(each.scene), std::regex("LINKS"), soft_links);
+  const auto& scenes = key_bodies.contains(each.scene)  ? key_bodies
+                       : key_files.contains(each.scene) ? key_files
+                                                        : key_scenes;
+  return with_files(std::regex_replace(scenes.at(each.scene), std::regex("LINKS"), soft_links));
+}
+
+std::map<std::string, KeyCase> all_cases() {
+  std::map<std::string, KeyCase> all = key_cases();
+  add_file_cases(all);
+  for (auto& [key, each] : all) each.value = with_files(each.value);
+  return all;
 }
 
 // The hash of the state after a short run; none where the method refuses the scene.
@@ -84,7 +101,7 @@ class SceneKeys : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(SceneKeys, ChangeTheMotionOrAreRefused) {
   const Method& method = *find_method(GetParam());
-  const std::map<std::string, KeyCase> known = key_cases();
+  const std::map<std::string, KeyCase> known = all_cases();
   std::map<std::string, std::optional<std::uint64_t>> unchanged;
   for (const std::string& key : physics_keys()) {
     const auto found = known.find(key);
@@ -106,7 +123,7 @@ TEST_P(SceneKeys, ChangeTheMotionOrAreRefused) {
 INSTANTIATE_TEST_SUITE_P(Registry, SceneKeys, ::testing::ValuesIn(every_method()), case_name);
 
 TEST(SceneKeyCases, AreAllKeysOfTheReference) {
-  const std::map<std::string, KeyCase> known = key_cases();
+  const std::map<std::string, KeyCase> known = all_cases();
   const std::vector<std::string> keys = physics_keys();
   EXPECT_GT(keys.size(), 100U);
   for (const std::string& key : keys) EXPECT_TRUE(known.contains(key)) << key << " has no case here";
@@ -116,7 +133,7 @@ TEST(SceneKeyCases, AreAllKeysOfTheReference) {
 
 // A scene in which every key matters to at least one method, or its case says nothing.
 TEST(SceneKeyCases, MatterToSomeMethod) {
-  for (const auto& [key, each] : key_cases()) {
+  for (const auto& [key, each] : all_cases()) {
     bool matters = false;
     for (const Method& method : all_methods()) {
       const std::string text = text_for(each, method);

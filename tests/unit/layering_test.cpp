@@ -23,14 +23,16 @@ const std::map<std::string, std::set<std::string>> may_use{
     {"methods", {"base", "model"}},
     {"motion", {"base", "model", "methods"}},
     {"measure", {"base", "view", "model", "methods", "motion"}},
-    {"scene", {"base", "model", "methods", "view"}},
+    {"meshes", {"base", "model"}},
+    {"scene", {"base", "model", "methods", "view", "meshes"}},
     {"render", {"base", "model", "view"}},
     {"output", {"base", "model", "methods", "motion"}},
     {"frames",
-     {"base", "host", "view", "model", "methods", "motion", "measure", "scene", "render", "output"}},
-    {"study",
      {"base", "host", "view", "model", "methods", "motion", "measure", "scene", "render", "output",
-      "frames"}},
+      "meshes"}},
+    {"study",
+     {"base", "host", "view", "model", "methods", "motion", "measure", "scene", "render", "output", "frames",
+      "meshes"}},
 };
 
 struct Include {

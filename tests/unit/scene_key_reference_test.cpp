@@ -69,6 +69,16 @@ TEST(KeyReference, ListsEveryKeyOfEverySection) {
        within("weft", links) + within("diagonals", links) + within("skip_one", links) +
        within("faces", {"thickness", "friction", "self_collides"}) +
        Names{"visible", "colour", "back_colour", "draw"}));
+  EXPECT_EQ(keys_of("`[[mesh]]`"),
+            (Names{"name", "file", "content", "mass", "shares", "scale", "up", "position", "turn", "weld",
+                   "pinned", "pinned_box", "pinned_masses", "release", "radius", "collides"} +
+             within("motion", motion) + links + within("diagonals", links) + within("skip_one", links) +
+             within("bending", {"stiffness", "from_start"}) +
+             within("faces", {"thickness", "friction", "self_collides"}) +
+             Names{"visible", "colour", "back_colour", "draw"}));
+  EXPECT_EQ(keys_of("`[[points]]`"), (Names{"name", "masses", "links", "content", "position", "turn", "mass",
+                                            "pinned", "radius", "collides", "visible", "colour", "draw"} +
+                                      links));
   EXPECT_EQ(keys_of("`[[mass]]`"), (Names{"name", "position", "velocity", "mass", "pinned", "release",
                                           "radius", "collides", "visible", "colour"} +
                                     within("motion", motion)));

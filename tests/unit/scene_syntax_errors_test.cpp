@@ -33,7 +33,7 @@ TEST(SceneSyntaxErrors, NothingToParse) {
   EXPECT_EQ(errors_of(""), "f.toml: the file is empty");
   EXPECT_EQ(errors_of(" \r\n\t\n"), "f.toml: the file is empty");
   EXPECT_EQ(errors_of("# a comment\n"),
-            "f.toml: the scene has no masses: it needs a [[chain]], a [[sheet]] or a [[mass]]");
+            "f.toml: the scene has no masses: it needs a [[chain]], a [[sheet]], a [[mesh]] or a [[mass]]");
 }
 
 TEST(SceneSyntaxErrors, ByteOrderMarkAndCarriageReturnsAreNoErrors) {

@@ -49,6 +49,11 @@ class AppearanceMaker {
           {chain.first_mass, chain.link_count + 1, chain.first_link, chain.link_count}, false);
     }
     for (std::size_t i = 0; i < model_.sheets.size(); ++i) add_sheet(i);
+    for (std::size_t i = 0; i < model_.point_sets.size(); ++i) {
+      const PointSet& set = model_.point_sets[i];
+      add(look_of(look_.objects.points, i), {set.first_mass, set.mass_count, set.first_link, set.link_count},
+          false);
+    }
     for (std::size_t i = 0; i < model_.ragdolls.size(); ++i) add_body(i);
     add_singles();
     settle_links();
@@ -78,11 +83,11 @@ class AppearanceMaker {
 
   void add_sheet(std::size_t number) {
     const Sheet& sheet = model_.sheets[number];
-    const ObjectLook& own = look_of(look_.objects.sheets, number);
-    add(own, {sheet.first_mass, sheet.rows * sheet.columns, sheet.first_link, sheet.link_count}, false);
+    const ObjectLook& own = look_of_sheet(look_, model_, number);
+    add(own, {sheet.first_mass, sheet.mass_count, sheet.first_link, sheet.link_count}, false);
     made_.sheets.push_back(draws(own, "surface", look_.surface));
     if (!made_.sheets.back()) return;
-    for (Index mass = sheet.first_mass; mass < sheet.first_mass + sheet.rows * sheet.columns; ++mass)
+    for (Index mass = sheet.first_mass; mass < sheet.first_mass + sheet.mass_count; ++mass)
       made_.shading[mass] = true;
   }
 
@@ -158,7 +163,7 @@ class AppearanceMaker {
           made_.masses[mass] = false;
     };
     for (const Chain& chain : model_.chains) hide(chain.first_mass, chain.link_count + 1);
-    for (const Sheet& sheet : model_.sheets) hide(sheet.first_mass, sheet.rows * sheet.columns);
+    for (const Sheet& sheet : model_.sheets) hide(sheet.first_mass, sheet.mass_count);
   }
 
   bool uses_scale() const {
@@ -202,11 +207,11 @@ Appearance appearance(const Model& model, const Look& look) {
 
 bool hides_objects(const Look& look) {
   const ObjectLooks& all = look.objects;
-  return std::ranges::any_of(std::array{&all.chains, &all.sheets, &all.ragdolls, &all.masses, &all.links},
-                             [](const std::vector<ObjectLook>* kind) {
-                               return std::ranges::any_of(*kind,
-                                                          [](const ObjectLook& own) { return !own.shown(); });
-                             });
+  return std::ranges::any_of(
+      std::array{&all.chains, &all.sheets, &all.meshes, &all.points, &all.ragdolls, &all.masses, &all.links},
+      [](const std::vector<ObjectLook>* kind) {
+        return std::ranges::any_of(*kind, [](const ObjectLook& own) { return !own.shown(); });
+      });
 }
 
 std::vector<bool> masses_in_view(const Model& model, const Look& look) {
@@ -220,8 +225,14 @@ std::vector<bool> masses_in_view(const Model& model, const Look& look) {
   return seen;
 }
 
-ClothColours cloth_colours(const Look& look, std::size_t sheet) {
-  const ObjectLook& own = look_of(look.objects.sheets, sheet);
+const ObjectLook& look_of_sheet(const Look& look, const Model& model, std::size_t sheet) {
+  const auto is_sheet = [](const Sheet& each) { return !each.is_mesh(); };
+  const auto sheets = static_cast<std::size_t>(std::ranges::count_if(model.sheets, is_sheet));
+  return sheet < sheets ? look_of(look.objects.sheets, sheet) : look_of(look.objects.meshes, sheet - sheets);
+}
+
+ClothColours cloth_colours(const Look& look, const Model& model, std::size_t sheet) {
+  const ObjectLook& own = look_of_sheet(look, model, sheet);
   ClothColours colours{look.surface_colour, look.surface_back_colour};
   if (own.colour) {
     colours.front = *own.colour;
@@ -233,8 +244,11 @@ ClothColours cloth_colours(const Look& look, std::size_t sheet) {
 
 bool has_own_cloth_colours(const Look& look) {
   return look.colour_by == ColourBy::plain &&
-         std::ranges::any_of(look.objects.sheets,
-                             [](const ObjectLook& own) { return own.colour || own.back_colour; });
+         std::ranges::any_of(
+             std::array{&look.objects.sheets, &look.objects.meshes}, [](const std::vector<ObjectLook>* kind) {
+               return std::ranges::any_of(
+                   *kind, [](const ObjectLook& own) { return own.colour || own.back_colour; });
+             });
 }
 
 std::optional<Colour> own_mass_colour(const Appearance& appearance, std::size_t mass) {

@@ -2,13 +2,10 @@
 
 #include <algorithm>
 
+#include "geometry/surface_records.h"
+
 namespace taut {
 namespace {
-
-// Along one side of a cell of so many pixels, where bends of so many are worth it.
-Index parts_of(float pixels, float worth) {
-  return pixels > 2.5F * worth ? 4 : pixels > worth ? 2 : 1;
-}
 
 std::size_t vertices_of(std::span<const SheetLattice> sheets, const Fineness& fineness) {
   std::size_t sum = 0;
@@ -48,6 +45,10 @@ void fill_strand(std::vector<glm::vec3>& places, const Strand& strand, Index par
 }
 
 }  // namespace
+
+Index parts_of(float pixels, float worth) {
+  return pixels > 2.5F * worth ? 4 : pixels > worth ? 2 : 1;
+}
 
 Fineness fineness_for(std::span<const SheetLattice> sheets, float pixels_a_metre) {
   constexpr std::size_t most = 400'000;  // vertices: more can't be told apart in any picture

@@ -20,13 +20,15 @@ std::vector<Line> lines_of(const Model& model) {
   }
   for (std::size_t i = 0; i < model.sheets.size(); ++i) {
     const Sheet& sheet = model.sheets[i];
-    const Index end = sheet.first_mass + sheet.rows * sheet.columns;
+    const Index end = sheet.first_mass + sheet.mass_count;
     const auto within = [&](Index mass) { return mass >= sheet.first_mass && mass < end; };
     const std::size_t own = model.chains.size();
     for (std::size_t link = 0; link < lines.size(); ++link) {
       const Index a = model.links.a[link], b = model.links.b[link];
       if (within(a) && within(b) && std::get<0>(lines[link]) == 0)
-        lines[link] = {2, own + i, model.links.family[link], b - a};
+        // Links of a mesh follow no lines: each is one of its own.
+        lines[link] = {2, own + i, model.links.family[link],
+                       sheet.is_mesh() ? static_cast<Index>(link) : b - a};
     }
   }
   return lines;

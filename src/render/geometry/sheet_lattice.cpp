@@ -37,7 +37,8 @@ SheetLattice lattice_of(const Model& model, std::size_t number) {
 
 std::vector<SheetLattice> sheet_lattices(const Model& model) {
   std::vector<SheetLattice> lattices;
-  for (std::size_t i = 0; i < model.sheets.size(); ++i) lattices.push_back(lattice_of(model, i));
+  for (std::size_t i = 0; i < model.sheets.size(); ++i)
+    if (!model.sheets[i].is_mesh()) lattices.push_back(lattice_of(model, i));
   return lattices;
 }
 

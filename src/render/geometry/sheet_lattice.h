@@ -34,6 +34,7 @@ struct SheetLattice {
   }
 };
 
+/// Those of all sheets but meshes.
 std::vector<SheetLattice> sheet_lattices(const Model& model);
 
 }  // namespace taut

@@ -90,7 +90,8 @@ class SupportMaker {
   }
 
   Supports make() {
-    for (const Sheet& sheet : model_.sheets) hold_edges(sheet);
+    for (const Sheet& sheet : model_.sheets)
+      if (!sheet.is_mesh()) hold_edges(sheet);
     hold_bodies();
     hold_others();
     return std::move(made_);

@@ -12,13 +12,6 @@
 
 namespace taut {
 
-/// One vertex of the cloth as shaders/surface.vert reads it.
-struct SurfaceVertex {
-  glm::vec3 position;  ///< m
-  glm::vec3 normal;    ///< unit vector, on the front side
-  float hollow;        ///< −1 to 1: above 0 where the front side is hollow, below where it bulges
-};
-
 /// Vertices and triangles, in the topology's order.
 struct SurfaceMesh {
   std::vector<SurfaceVertex> vertices;
@@ -27,6 +20,7 @@ struct SurfaceMesh {
   SharedPlaces places;
   std::shared_ptr<const SpreadSheets> spread;
   SharedIndices indices;
+  SharedIndices block_vertices;  ///< MeshTopology::block_vertices
 };
 
 /// The mesh of a state as it is seen in a picture space. Normals are smoothed over the triangles about each

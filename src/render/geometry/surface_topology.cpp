@@ -35,6 +35,21 @@ float hem_width(const SheetLattice& sheet, const Look& look) {
   return look.hem_width ? static_cast<float>(*look.hem_width) : 0.018F * std::min(size.x, size.y);
 }
 
+// Triangles of meshes below all sheets, about as wide as high.
+void spread_meshes(SpreadSheets& spread, const MeshCloth& meshes) {
+  if (meshes.empty()) return;
+  MeshBlocks& blocks = spread.blocks;
+  blocks.count = static_cast<Index>(meshes.triangles.size());
+  blocks.side = meshes.parts + 3;
+  blocks.first_row = static_cast<Index>(spread.places.height);
+  const auto square = static_cast<Index>(std::ceil(std::sqrt(static_cast<double>(blocks.count))));
+  blocks.a_row = std::max(square, static_cast<Index>(spread.places.width) / blocks.side);
+  const Index rows = (blocks.count + blocks.a_row - 1) / blocks.a_row;
+  spread.places.width = std::max(spread.places.width, static_cast<int>(blocks.a_row * blocks.side));
+  spread.places.height += static_cast<int>(rows * blocks.side);
+  spread.cell_size = glm::max(spread.cell_size, glm::vec2(meshes.part_length));
+}
+
 SpreadSheets spread_sheets(const Cloth& cloth) {
   SpreadSheets spread;
   for (const SheetLattice& sheet : cloth.sheets) {
@@ -45,6 +60,7 @@ SpreadSheets spread_sheets(const Cloth& cloth) {
     spread.cell_size =
         glm::max(spread.cell_size, sheet.cell / glm::vec2(cloth.fineness.across, cloth.fineness.down));
   }
+  spread_meshes(spread, cloth.meshes);
   return spread;
 }
 
@@ -104,13 +120,14 @@ Cloth cloth_of(const Model& model, const State& start, const Look& look, float p
   Cloth cloth;
   cloth.sheets = sheet_lattices(model);
   const std::vector<bool> drawn = appearance(model, look).sheets;
+  cloth.meshes = mesh_cloth(model, start, look, drawn, pixels_a_metre);
   std::erase_if(cloth.sheets, [&](const SheetLattice& sheet) { return !drawn[sheet.number]; });
   cloth.fineness = fineness_for(cloth.sheets, pixels_a_metre);
   for (const SheetLattice& sheet : cloth.sheets) {
     cloth.units.push_back(units_per_cell(sheet, look));
     cloth.hems.push_back(hem_width(sheet, look));
     if (!has_own_cloth_colours(look)) continue;
-    const ClothColours colours = cloth_colours(look, sheet.number);
+    const ClothColours colours = cloth_colours(look, model, sheet.number);
     cloth.tints.push_back({opaque(colours.front), opaque(colours.back)});
   }
   for (std::size_t mass = 0; mass < start.position.size(); ++mass)
@@ -147,6 +164,14 @@ std::shared_ptr<const SurfaceTopology> surface_topology(
     light_row += static_cast<float>(size.y);
   }
   cut(*topology, cloth, torn, surface.places, surface.indices);
+  topology->sheet_indices = surface.indices.size();
+  topology->sheet_vertices = surface.places.size();
+  if (!cloth.meshes.empty()) {
+    topology->meshes =
+        mesh_topology(cloth.meshes, cloth.spread->blocks, topology->broken, surface.places, surface.indices);
+    for (const Index whole : topology->meshes.whole)
+      for (const Index mass : cloth.meshes.triangles[whole].masses) surface.mass_triangles.push_back(mass);
+  }
   topology->mass_triangles = std::move(surface.mass_triangles);
   topology->indices = std::make_shared<const std::vector<Index>>(std::move(surface.indices));
   topology->places = std::make_shared<const std::vector<SurfacePlace>>(std::move(surface.places));

@@ -9,35 +9,22 @@
 #include "base/image.h"
 #include "geometry/colour_scale.h"
 #include "geometry/fineness.h"
+#include "geometry/mesh_cloth.h"
+#include "geometry/mesh_topology.h"
 #include "geometry/sheet_lattice.h"
+#include "geometry/surface_records.h"
 #include "model/model.h"
 #include "model/state.h"
 #include "view/view.h"
 
 namespace taut {
 
-/// Corners of triangles, three each, that several frames may share.
-using SharedIndices = std::shared_ptr<const std::vector<Index>>;
-
-/// What a vertex of the cloth keeps for as long as nothing tears, as shaders/surface.vert reads it.
-struct SurfacePlace {
-  glm::vec2 pattern;  ///< one unit a square of the checker or a thread of the weave
-  glm::vec3 edges;    ///< xy: from the nearest upright and level border, in widths of a hem, or far away
-                      ///< without one; z: 0 on a torn edge, 1 half a cell from it
-  glm::vec2 light;    ///< in places of the sheets spread out flat
-};
-using SharedPlaces = std::shared_ptr<const std::vector<SurfacePlace>>;
-
-/// The colours of both sides of the cloth at a vertex, as shaders/surface.vert reads them.
-struct SurfaceTint {
-  Rgba front, back;
-};
-
 /// The sheets of a model spread out flat below each other, to work out on them how much light arrives.
 struct SpreadSheets {
   Size places{0, 0};               ///< vertices that all sheets take, in each direction
   std::vector<glm::uvec2> sheets;  ///< places of each sheet, which begins at the left, below the one before
   glm::vec2 cell_size{0.0F};       ///< m, of the largest parts of cells
+  MeshBlocks blocks;               ///< of the triangles of meshes, below all sheets
 };
 
 /// A broken link as the mass at one end sees it: cloth goes on from there as far as the tear.
@@ -70,7 +57,7 @@ struct CutCorner {
 };
 
 /// What of the cloth is drawn, for as long as nothing tears. Vertices: each sheet's fine_size(), row after
-/// row; then one a cut edge, one a middle, one a corner.
+/// row; then one a cut edge, one a middle, one a corner; then those of meshes.
 struct SurfaceTopology {
   std::vector<bool> broken;  ///< by link: what it holds for
   SharedIndices indices;
@@ -79,11 +66,15 @@ struct SurfaceTopology {
   std::vector<CutEdge> edges;
   std::vector<CutMiddle> middles;
   std::vector<CutCorner> corners;
+  std::size_t sheet_indices = 0;   ///< so many of the indices, and …
+  std::size_t sheet_vertices = 0;  ///< … of the vertices are of sheets and their tears
+  MeshTopology meshes;
 };
 
-/// What never changes about the sheets of a model that are drawn as cloth.
+/// What never changes about the sheets and meshes of a model that are drawn as cloth.
 struct Cloth {
   std::vector<SheetLattice> sheets;
+  MeshCloth meshes;
   Fineness fineness;
   std::vector<glm::vec2> units;     ///< of the pattern a cell, for each sheet
   std::vector<float> hems;          ///< m, how wide each sheet's hem is; 0: none
@@ -99,8 +90,5 @@ Cloth cloth_of(const Model& model, const State& start, const Look& look, float p
 /// cloth is parted there and none of it lost.
 std::shared_ptr<const SurfaceTopology> surface_topology(
     const Cloth& cloth, const State& state, const std::shared_ptr<const SurfaceTopology>& before = {});
-
-/// A number from −1 to 1 that looks like chance, always the same for the same seeds.
-float jitter(Index seed, Index salt);
 
 }  // namespace taut

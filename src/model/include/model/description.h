@@ -1,12 +1,15 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "model/mesh_data.h"
 #include "model/model.h"
+#include "model/points_data.h"
 #include "model/state.h"
 
 namespace taut {
@@ -185,6 +188,56 @@ struct SheetSpec {
   std::optional<FacesSpec> faces{};  ///< absent: only its masses touch, as balls
 };
 
+/// How a mesh's mass is shared: a third of each face's to each of its corners, faces weighing as they are
+/// large, or the same for all.
+enum class MassShares : std::uint8_t { area, equal };
+
+/// Which axis of a mesh file points upwards.
+enum class UpAxis : std::uint8_t { y, z };
+
+/// A surface of triangles, quads and polygons out of a file as cloth: corners are masses, named <name>.0 …,
+/// edges are links.
+struct MeshSpec {
+  std::string name;
+  std::string file;                      ///< relative to the folder of the scene
+  std::string content{};                 ///< the hash that the file must have; empty: any
+  double mass = 1.0;                     ///< kg, of the whole
+  MassShares shares = MassShares::area;  ///< of its masses in that
+  double scale = 1.0;                    ///< m for 1 in the file
+  UpAxis up = UpAxis::y;
+  Vec3 position = Vec3::Zero();       ///< m, where the file's origin goes
+  Vec3 turn = Vec3::Zero();           ///< degrees about x, then y, then z, through it
+  std::optional<double> weld{};       ///< m, corners as near as that are one; absent: a millionth of its size
+  std::vector<std::string> pinned{};  ///< names of groups or materials
+  std::optional<std::array<Vec3, 2>> pinned_box{};  ///< m, corners of a box, and what starts in it is pinned
+  std::vector<int> pinned_masses{};                 ///< by their numbers
+  MotionSpec motion{};              ///< of all pins alike; a path is that of the one of the lowest number
+  std::optional<double> release{};  ///< s, when all of its pins let go
+  LinkProperties properties{};      ///< of the links along edges
+  ExtraLinks diagonals{};           ///< both diagonals of every face with four corners
+  ExtraLinks skip_one{};            ///< across every edge between two triangles, and over a mass among quads
+  double radius = 0.0;              ///< m, of every mass, for contact
+  bool collides = false;            ///< whether it touches other bodies that do so
+  std::optional<BendingSpec> bending{};
+  std::optional<FacesSpec> faces{};        ///< absent: only its masses touch, as balls
+  std::shared_ptr<const MeshData> data{};  ///< what is in the file, placed; set by whoever reads files
+};
+
+/// Masses and links out of tables, named <name>.<row>, from 0, or <name>.<name in the table>.
+struct PointsSpec {
+  std::string name;
+  std::string masses, links;                 ///< files, relative to the folder of the scene; no links: empty
+  std::string content{};                     ///< the hash that they must have together; empty: any
+  Vec3 position = Vec3::Zero();              ///< m, where the tables' origin goes
+  Vec3 turn = Vec3::Zero();                  ///< degrees about x, then y, then z, through it
+  double mass = 1.0;                         ///< kg, of each mass that has none of its own
+  std::vector<std::string> pinned{};         ///< names of the table, or numbers of rows
+  LinkProperties properties{};               ///< of links, where the table has none
+  double radius = 0.0;                       ///< m, of each mass that has none of its own, for contact
+  bool collides = false;                     ///< whether they touch other bodies that do so
+  std::shared_ptr<const PointsData> data{};  ///< what is in the tables, placed; set by whoever reads files
+};
+
 /// Links from each of some masses to the nearest one of others, each as long as they are apart at the start.
 struct TieSpec {
   std::string a, b;  ///< names; a part between dots may be *
@@ -313,7 +366,7 @@ struct RagdollSpec {
   bool collides = false;            ///< whether it touches other bodies that do so
 };
 
-/// Air that blows on sheets; see Wind. None where the velocity is zero.
+/// Air that blows on sheets and meshes; see Wind. None where the velocity is zero.
 struct WindSpec {
   Vec3 velocity = Vec3::Zero();  ///< m/s
   double gust = 0.0;             ///< share of the velocity
@@ -331,6 +384,8 @@ struct Description {
   std::vector<TieSpec> ties;
   std::vector<ChainSpec> chains;
   std::vector<SheetSpec> sheets;
+  std::vector<MeshSpec> meshes;
+  std::vector<PointsSpec> points;
   std::vector<LoadSpec> loads;
   std::vector<SeamSpec> seams;
   std::vector<PlaneSpec> planes;
@@ -362,8 +417,8 @@ struct Built {
 };
 
 /// Validates a description and builds its model and the state at t = 0. Masses come in the order chains,
-/// sheets, ragdolls, masses; links in the order chains, sheets, ragdolls, links, ties. All problems are
-/// reported at once.
+/// sheets, meshes, points, ragdolls, masses; links in the order chains, sheets, meshes, points, ragdolls,
+/// links, ties. All problems are reported at once.
 Built build(const Description& description);
 
 }  // namespace taut

@@ -106,18 +106,30 @@ struct Load {
   }
 };
 
-/// A triangle of a sheet, drawn while none of its edges that are links is broken.
+/// A triangle of a sheet or a mesh, whole while none of its edges that are links is broken.
 struct Triangle {
   std::array<Index, 3> masses;
   std::array<Index, 3> links;  ///< link along each edge, no_link where the edge is none
 };
 
-/// Where a sheet's masses, links and triangles lie in the arrays; masses are row after row.
+/// Where the masses, links and triangles of a sheet, or of a mesh, lie in the arrays. A sheet's masses are
+/// row after row; a mesh is a sheet without rows.
 struct Sheet {
   std::string name;
-  Index first_mass = 0;
-  Index rows = 0, columns = 0;
+  Index first_mass = 0, mass_count = 0;
+  Index rows = 0, columns = 0;  ///< 0 and 0: a mesh
   Index first_triangle = 0, triangle_count = 0;
+  Index first_link = 0, link_count = 0;
+  std::vector<Index> along_curve{};  ///< of a mesh: its masses, from 0, so that what is near at the start is
+                                     ///< near in the list
+
+  bool is_mesh() const { return rows == 0; }
+};
+
+/// Where the masses and links of a set of points lie in the arrays.
+struct PointSet {
+  std::string name;
+  Index first_mass = 0, mass_count = 0;
   Index first_link = 0, link_count = 0;
 };
 
@@ -167,7 +179,8 @@ struct Model {
   std::vector<Change> changes;  ///< in order of time, no two at the same
   std::optional<Wind> wind;
   std::vector<Triangle> triangles;
-  std::vector<Sheet> sheets;
+  std::vector<Sheet> sheets;  ///< those of a scene, then its meshes
+  std::vector<PointSet> point_sets;
   std::vector<SheetFaces> faces;  ///< of sheets whose faces touch; those of the others are only drawn
   std::vector<Chain> chains;
   std::vector<Ragdoll> ragdolls;

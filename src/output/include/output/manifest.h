@@ -34,6 +34,7 @@ struct Manifest {
   std::string inputs;           ///< hash of everything that decides what the frames look like
   std::string scene;            ///< name
   std::string scene_toml;       ///< resolved: every default filled in
+  std::string folder;           ///< of files that the scene names; empty where it names none; decides nothing
   std::vector<std::string> other_tomls;  ///< of further panels, which differ in method alone
   std::string method;
   std::map<std::string, std::variant<double, std::string>> settings;  ///< of the method

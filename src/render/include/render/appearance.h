@@ -34,7 +34,9 @@ const ObjectLook& look_of(const std::vector<ObjectLook>& looks, std::size_t numb
 struct ClothColours {
   Colour front, back;
 };
-ClothColours cloth_colours(const Look& look, std::size_t sheet);
+ClothColours cloth_colours(const Look& look, const Model& model, std::size_t sheet);
+/// How the model's sheet of that number is drawn: a sheet of the scene, or one of its meshes.
+const ObjectLook& look_of_sheet(const Look& look, const Model& model, std::size_t sheet);
 /// Whether any sheet has a side of a colour of its own, where colours are not those of a scale.
 bool has_own_cloth_colours(const Look& look);
 

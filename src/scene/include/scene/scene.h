@@ -34,6 +34,7 @@ class BadScene : public BadRequest {
 struct Scene {
   std::string name;  ///< the file's name without folder and ending
   std::string title;
+  std::string folder;            ///< absolute, of the files that the scene names; empty where it names none
   double duration = 6.0;         ///< s
   std::string accuracy = "10%";  ///< used where solve_given is false
   bool solve_given = false;  ///< the file has a [solve] with a method, or one was given on the command line
@@ -61,12 +62,12 @@ using BeforeBuilding = std::function<void(const Counts&)>;
 Scene load_scene(const std::filesystem::path& file, const SceneOverrides& overrides = {},
                  const BeforeBuilding& before_building = {});
 
-/// The same from text; `file` is only named in errors.
+/// The same from text; `file` is named in errors, and its folder is that of files which the text names.
 Scene parse_scene(const std::string& text, const std::string& file, const SceneOverrides& overrides = {},
                   const BeforeBuilding& before_building = {});
 
 /// The scene as TOML with every default filled in; parse_scene() of it gives the same model and start, bit
-/// for bit.
+/// for bit, where the files that it names are found and have not changed: it has their hashes.
 std::string resolved_toml(const Scene& scene);
 
 /// The reference of every key of a scene file as Markdown, made from the parser's own table.

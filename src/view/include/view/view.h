@@ -57,7 +57,8 @@ struct ObjectLook {
 /// Those of a scene's objects, kind by kind in the order of the scene; what is beyond the end of a list is
 /// drawn as the rest.
 struct ObjectLooks {
-  std::vector<ObjectLook> chains, sheets, ragdolls, masses, links, planes, spheres, capsules, boxes;
+  std::vector<ObjectLook> chains, sheets, meshes, points, ragdolls, masses, links, planes, spheres, capsules,
+      boxes;
 };
 
 /// What is drawn and how.
