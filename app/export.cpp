@@ -238,8 +238,7 @@ void add_export(CommandLine& program) {
   const auto flags = std::make_shared<ExportFlags>();
   flags->scene.add_to(*verb, "; not needed with --motion");
   flags->scene.add_threads_to(*verb);
-  verb->add_option("--format", flags->choice.format, format_help())
-      ->one_of(as_words(export_format_names()));
+  verb->add_option("--format", flags->choice.format, format_help())->one_of(as_words(export_format_names()));
   verb->add_option("--table", flags->choice.table,
                    "Of csv and npz: masses, links, orientations or energy [masses; npz: masses and links]")
       ->one_of(as_words(export_table_names));

@@ -33,7 +33,7 @@ if(NOT TAUT_SANITIZE)
 endif()
 
 # Each folder of the source is a library there, too, with the same includes.
-set(installed_libraries base view model methods motion measure scene)
+set(installed_libraries base view model methods motion measure meshes scene)
 foreach(folder ${installed_libraries})
   set_target_properties(taut_${folder} PROPERTIES EXPORT_NAME ${folder})
   install(TARGETS taut_${folder} EXPORT taut ARCHIVE COMPONENT library

@@ -207,7 +207,9 @@ void add_list(CommandLine& program) {
   Verb* verb = program.add_subcommand(
       "list", "What there is: scenes, methods, the keys of a scene file, formats to export, or ways to draw");
   const auto flags = std::make_shared<ListFlags>();
-  verb->add_option("WHAT", flags->what, "scenes, methods, keys, formats or gl")->one_of(as_words(listed))->required();
+  verb->add_option("WHAT", flags->what, "scenes, methods, keys, formats or gl")
+      ->one_of(as_words(listed))
+      ->required();
   verb->add_flag("--json", flags->json, "Print an array of objects as JSON");
   verb->footer("Example:\n  taut list methods --json");
   verb->action([flags] { return list(*flags); });

@@ -131,10 +131,8 @@ int plot_file(const PlotFlags& flags, const InterruptWatch& interrupts) {
 int plot_scene(const PlotFlags& flags, const InterruptWatch& interrupts) {
   std::optional<StoredMotion> motion;
   if (!flags.motion.empty()) motion = open_motion(flags.motion);
-  Scene scene = flags.scene.scene.empty()
-                    ? scene_of_motion(*motion, flags.motion, flags.scene.overrides())
-                    : load(flags.scene.scene, flags.scene.overrides(), flags.quiet);
-  if (flags.scene.scene.empty()) scene.name = motion->manifest.scene;
+  Scene scene = flags.scene.scene.empty() ? scene_of_motion(*motion, flags.motion, flags.scene.overrides())
+                                          : load(flags.scene.scene, flags.scene.overrides(), flags.quiet);
   if (motion) require_same_motion(scene, *motion);
   print_notes(scene, flags.quiet);
   const std::vector<std::size_t> masses = masses_named(scene, flags.paths);
