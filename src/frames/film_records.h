@@ -9,7 +9,8 @@
 
 namespace taut {
 
-/// How a film is named in the manifest of a folder (empty: the current one): from there, so that both can be moved together.
+/// How a film is named in the manifest of a folder (empty: the current one): from there, so that both can be
+/// moved together.
 std::string film_name_from(const std::filesystem::path& folder, const std::filesystem::path& film);
 
 /// The manifest of a film that has no folder of frames: a hidden file beside it.

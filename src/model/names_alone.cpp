@@ -16,8 +16,7 @@ namespace {
 bool decides_names(const Problem& problem) {
   static constexpr std::array<std::string_view, 6> naming{"chain",  "sheet",   "mesh",
                                                           "points", "ragdoll", "mass"};
-  static constexpr std::array<std::string_view, 6> keys{"name",    "links", "rows",
-                                                        "columns", "file",  "masses"};
+  static constexpr std::array<std::string_view, 6> keys{"name", "links", "rows", "columns", "file", "masses"};
   return std::ranges::find(naming, problem.section) != naming.end() &&
          (problem.key.empty() || std::ranges::find(keys, problem.key) != keys.end());
 }

@@ -175,7 +175,8 @@ void build_scene(const Node& document, Scene& scene, Reader& reader) {
   if (built.names_known && reader.names_complete()) {
     const Names& names = built.model.masses.name;
     if (names.empty())
-      reader.plain({}, "the scene has no masses: it needs a [[chain]], a [[sheet]], a [[mesh]] or a [[mass]]");
+      reader.plain({},
+                   "the scene has no masses: it needs a [[chain]], a [[sheet]], a [[mesh]] or a [[mass]]");
     check_follow(document, scene, names, reader);
     check_trails(document, scene, names, reader);
   }

@@ -13,7 +13,7 @@ namespace taut::test {
 namespace {
 
 constexpr int rows = 6, columns = 8;
-constexpr double step = 0.1;  // m
+constexpr double spacing = 0.1;  // m
 
 MeshSpec mesh_of(const std::string& name, const std::string& text, MeshSpec spec = {}) {
   const testing::MeshFiles files;
@@ -43,8 +43,8 @@ Description as_sheet() {
   sheet.name = "cloth";
   sheet.rows = rows;
   sheet.columns = columns;
-  sheet.to = {step * (columns - 1), 0.0, 0.0};
-  sheet.down = {0.0, -step * (rows - 1), 0.0};
+  sheet.to = {spacing * (columns - 1), 0.0, 0.0};
+  sheet.down = {0.0, -spacing * (rows - 1), 0.0};
   sheet.pinned = {"top"};
   sheet.bending = SheetBendingSpec{};
   sheet.bending->stiffness = 1e-4;
@@ -56,7 +56,7 @@ Description as_sheet() {
 }
 
 Description as_mesh() {
-  MeshSpec mesh = mesh_of("grid.obj", testing::grid_obj(rows, columns, step));
+  MeshSpec mesh = mesh_of("grid.obj", testing::grid_obj(rows, columns, spacing));
   mesh.shares = MassShares::equal;
   mesh.pinned_box = {{{-1.0, -0.01, -1.0}, {1.0, 0.01, 1.0}}};
   mesh.bending = BendingSpec{1e-4, false};
@@ -171,7 +171,7 @@ TEST(Meshes, FacesTouchSolids) {
   spec.faces = FacesSpec{0.01, 0.5, true};
   Description description;
   description.drag = 1.0;
-  description.meshes = {mesh_of("grid.obj", testing::grid_obj(rows, columns, step), spec)};
+  description.meshes = {mesh_of("grid.obj", testing::grid_obj(rows, columns, spacing), spec)};
   SphereSpec ball;
   ball.centre = {0.0, 0.4, 0.0};
   ball.radius = 0.3;

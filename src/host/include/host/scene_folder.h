@@ -8,7 +8,8 @@ namespace taut {
 
 /// The folders in which bare scene names are looked up, in this order: what TAUT_SCENES says, the scenes that
 /// came with the program, ./scenes. Only those that exist. The program's own are found from where it lies, so
-/// that it may be moved with them: ../share/taut/scenes, or share/taut/scenes beside it, as in a build folder.
+/// that it may be moved with them: ../share/taut/scenes, or share/taut/scenes beside it, as in a build
+/// folder.
 std::vector<std::filesystem::path> scene_folders();
 
 /// The scene files of all those folders, each name once, in alphabetical order.
