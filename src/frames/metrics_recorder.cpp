@@ -12,6 +12,7 @@ void leave_metrics(RenderJob& job, const std::vector<FrameMetrics>& rows) {
   const std::vector<std::string_view> stages = StageClock::frame_stage_names();
   file.replace(metrics_text(rows, stages, are_lines(job.metrics_file)));
   std::vector<int> frames;
+  frames.reserve(rows.size());
   for (const FrameMetrics& row : rows)
     if (frames.empty() || frames.back() != row.frame) frames.push_back(row.frame);
   job.metrics.frames = frames.empty() ? std::string("none") : selection_text(frames);

@@ -90,6 +90,8 @@ void write_metrics(const Scene& scene, const fs::path& motion, const MotionReque
   MotionPlayer player(scene, reader);
   std::vector<FrameMetrics> rows;
   std::vector<int> frames;
+  rows.reserve(reader.records().size());
+  frames.reserve(reader.records().size());
   for (const auto& [frame, record] : reader.records()) {
     player.at(record.time);
     frames.push_back(frame);

@@ -55,6 +55,7 @@ class StageClock {
       Stage::simulate, Stage::shape, Stage::draw, Stage::flatten, Stage::compress, Stage::write, Stage::feed};
   static std::vector<std::string_view> frame_stage_names() {
     std::vector<std::string_view> all;
+    all.reserve(frame_stages.size());
     for (const Stage stage : frame_stages) all.push_back(names.at(static_cast<std::size_t>(stage)));
     return all;
   }

@@ -18,7 +18,7 @@
 namespace taut {
 namespace {
 
-constexpr std::string_view checkpoint_begins_with = "taut checkpoint 1\n";
+constexpr std::string_view checkpoint_begins_with = "taut checkpoint 2\n";
 constexpr double least_seconds_between = 0.5, most_of_the_run = 1.0 / 150.0;
 
 std::string checkpoint_hash(std::string_view inputs, const Checkpoint& checkpoint) {
@@ -61,7 +61,7 @@ std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& file, std
     reader.take(made_from);
     reader.take(checkpoint.frame);
     reader.take(checkpoint.state);
-    if (!reader.at_end()) reader.take(checkpoint.metrics);
+    reader.take(checkpoint.metrics);
   } catch (const BadRequest&) {
     return std::nullopt;
   }

@@ -68,6 +68,7 @@ Value column_value(std::string_view name) {
 // Without stages that there was nothing to do for, such as those of a film where none is made.
 TimeFigure::Panel stage_panel(const MetricsTable& metrics, const std::string& method) {
   TimeFigure::Panel panel{"ms of a processor", {}};
+  panel.curves.reserve(metrics.stages.size());
   for (std::size_t i = 0; i < metrics.stages.size(); ++i)
     panel.curves.push_back(curve_of(metrics, method, metrics.stages[i], i, [i](const FrameMetrics& row) {
       return i < row.stage_seconds.size() ? std::optional(1e3 * row.stage_seconds[i]) : std::nullopt;
@@ -126,6 +127,7 @@ const MetricPlot& plot_named(const std::string& name) {
 
 std::vector<std::string_view> metric_plot_names() {
   std::vector<std::string_view> names;
+  names.reserve(metric_plots().size());
   for (const MetricPlot& plot : metric_plots()) names.push_back(plot.name);
   return names;
 }

@@ -24,7 +24,7 @@ Names names_in(const Json& list) {
 TEST(List, ScenesAreExactlyTheFilesOfTheFolder) {
   Names files;
   for (const auto& entry : fs::directory_iterator(TAUT_SCENE_FOLDER))
-    files.insert(entry.path().stem().string());
+    if (entry.path().extension() == ".toml") files.insert(entry.path().stem().string());
   const Ran ran = taut({"list", "scenes", "--json"});
   ASSERT_EQ(ran.status, 0) << ran.err;
   const Json scenes = Json::parse(ran.out);

@@ -131,7 +131,7 @@ TEST(SceneLooks, ErrorsNameThePlaceAndTheNearestRightWord) {
             "f.toml:5:1: unknown key \"back_colour\" in [[chain]]\n"
             "    back_colour = \"red\"\n"
             "    ^\n"
-            "    \"back_colour\" is a key of [[sheet]]");
+            "    \"back_colour\" is a key of [[sheet]], [[mesh]]");
 }
 
 }  // namespace
