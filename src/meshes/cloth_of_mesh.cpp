@@ -251,7 +251,7 @@ class ClothMaker {
     }
     for (std::vector<Index>& vertices : made_.group_vertices) {
       std::ranges::sort(vertices);
-      vertices.erase(std::ranges::unique(vertices).begin(), vertices.end());
+      vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     }
   }
 
