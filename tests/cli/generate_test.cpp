@@ -116,7 +116,8 @@ TEST_F(BashCompletionsTest, OfMethodsAreThoseOfTheRegistry) {
 TEST_F(BashCompletionsTest, OfOtherValues) {
   EXPECT_EQ(offered({"render", "bola", "--quality", ""}), (Offered{"draft", "standard", "fine"}));
   EXPECT_EQ(offered({"render", "bola", "--colour", "s"}), (Offered{"strain", "speed"}));
-  EXPECT_EQ(offered({"export", "bola", "--format", ""}), (Offered{"csv", "npz", "vtp", "obj", "ply", "pc2", "usda", "glb"}));
+  EXPECT_EQ(offered({"export", "bola", "--format", ""}),
+            (Offered{"csv", "npz", "vtp", "obj", "ply", "pc2", "usda", "glb"}));
   EXPECT_EQ(offered({"export", "bola", "--table", "l"}), (Offered{"links"}));
   EXPECT_EQ(offered({"list", ""}), (Offered{"scenes", "methods", "keys", "formats", "gl"}));
   EXPECT_EQ(offered({"new", "rope", "--kind", ""}), (Offered{"chain", "sheet", "ragdoll"}));
