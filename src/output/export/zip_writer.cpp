@@ -22,20 +22,21 @@ struct ZipWriter::Archive {
   std::function<void(std::string_view)> write;
   struct archive* handle;
   std::exception_ptr failure;  // what `write` threw, which must not go through the library
+  bool given_up = false;       // nothing more reaches anybody
 };
 
 namespace {
 
-// What the library calls with bytes of the archive.
+// What the library calls with bytes of the archive. It never hears of a failure, which check() finds: of an
+// archive that it knows to have failed it keeps the buffers for ever.
 template <class Archive>
 la_ssize_t take_bytes(struct archive* /*handle*/, void* data, const void* bytes, size_t size) {
   auto* archive = static_cast<Archive*>(data);
-  if (archive->failure) return -1;
   try {
-    archive->write(std::string_view(static_cast<const char*>(bytes), size));
+    if (!archive->failure && !archive->given_up)
+      archive->write(std::string_view(static_cast<const char*>(bytes), size));
   } catch (...) {
     archive->failure = std::current_exception();
-    return -1;
   }
   return static_cast<la_ssize_t>(size);
 }
@@ -54,7 +55,7 @@ ZipWriter::ZipWriter(std::function<void(std::string_view)> write)
 
 // An archive that was left half written is closed here: its last bytes must not reach anybody.
 ZipWriter::~ZipWriter() {
-  if (archive_->handle != nullptr) ::archive_write_fail(archive_->handle);
+  archive_->given_up = true;
 }
 
 void ZipWriter::check(long result) {
