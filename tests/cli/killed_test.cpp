@@ -139,6 +139,26 @@ TEST_F(KilledTest, RenderWithAFilmAndMetrics) {
   EXPECT_FALSE(fs::exists(folder_ / "killed/checkpoint.bin")) << "what is whole needs none";
 }
 
+// Killed as soon as there is a checkpoint: what was measured before it comes out of it.
+TEST_F(KilledTest, MetricsGoOnFromACheckpoint) {
+  const auto words = [&](const std::string& name) {
+    return Words{"render", scene_,    "-o",    folder_ / name, "--metrics", folder_ / (name + ".jsonl"),
+                 "--size", "320x240", "--json"};
+  };
+  ASSERT_EQ(taut(words("whole"), environment_).status, 0);
+  std::string command = "'" TAUT_PROGRAM "'";
+  for (const std::string& word : words("killed")) command += fmt::format(" '{}'", word);
+  run_program("/bin/sh",
+              {"-c", fmt::format("{} & while [ ! -e '{}' ] && kill -0 $!; do sleep 0.01; done; kill -KILL $!",
+                                 command, folder_ / "killed/checkpoint.bin")},
+              environment_);
+  const Ran again = taut(words("killed"), environment_);
+  ASSERT_EQ(again.status, 0) << again.err;
+  EXPECT_GT(Json::parse(again.out)["resumed_at_frame"], 1) << again.out;
+  EXPECT_TRUE(measured_part(read_file(folder_ / "whole.jsonl")) ==
+              measured_part(read_file(folder_ / "killed.jsonl")));
+}
+
 TEST_F(KilledTest, Simulate) {
   const auto words = [&](const std::string& name) { return Words{"simulate", scene_, "-o", folder_ / name}; };
   ASSERT_NO_FATAL_FAILURE(run_whole(words("whole")));
