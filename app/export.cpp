@@ -17,14 +17,15 @@
 #include "command_line.h"
 #include "exit_status.h"
 #include "export_choice.h"
-#include "export_moments.h"
 #include "flags.h"
+#include "frames/colouring.h"
 #include "frames/simulate.h"
 #include "host/patience.h"
 #include "host/progress.h"
 #include "host/standard_streams.h"
 #include "interrupted.h"
 #include "model/measures.h"
+#include "moments.h"
 #include "output/atomic_file.h"
 #include "planning.h"
 #include "render/appearance.h"
@@ -165,7 +166,7 @@ std::size_t write_instants(const ExportJob& job, ExportTable table, MomentSource
     if (certifier) certifier->see_until(*source.simulation(), time);
     std::optional<State> state = source.at(time, stop);
     if (!state) return i;
-    ExportMoment moment{frame, *state, source.tension_known(time)};
+    ExportMoment moment{frame, *state, tension_known(job.scene, time)};
     if (table == ExportTable::energy) moment.measures = source.measures();
     writer.add(moment);
     last = std::move(state);

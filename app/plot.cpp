@@ -16,13 +16,11 @@
 #include "command_line.h"
 #include "exit_status.h"
 #include "flags.h"
-#include "frames/film_frames.h"
-#include "frames/frame_selection.h"
-#include "frames/motion_player.h"
 #include "frames/simulate.h"
 #include "host/patience.h"
 #include "host/standard_streams.h"
 #include "interrupted.h"
+#include "moments.h"
 #include "output/atomic_file.h"
 #include "output/gnuplot.h"
 #include "planning.h"
@@ -64,33 +62,24 @@ std::vector<std::size_t> masses_named(const Scene& scene, const std::vector<std:
   return masses;
 }
 
-void see(const Scene& scene, const std::vector<std::size_t>& masses, int frame, const State& state,
-         const RunMeasures& measures, Seen& seen) {
+// A point for every moment of a motion, or for every frame at a rate.
+std::vector<Instant> instants_of(const Scene& scene, const MotionReader* motion, FrameRate rate) {
+  if (motion == nullptr) return chosen_instants({}, scene, rate);
+  std::vector<Instant> instants;
+  instants.reserve(motion->records().size());
+  for (const auto& [frame, record] : motion->records()) instants.push_back({frame, record.time});
+  return instants;
+}
+
+Seen see(const Scene& scene, MomentSource& source, const std::vector<Instant>& instants,
+         const std::vector<std::size_t>& masses, const StopTest& stop) {
+  Seen seen;
   seen.ways.resize(masses.size());
-  for (std::size_t i = 0; i < masses.size(); ++i) seen.ways[i].push_back(state.position.at(masses[i]));
-  if (masses.empty()) seen.metrics.rows.push_back(frame_metrics(scene, frame, measures));
-}
-
-Seen play(const Scene& scene, const StoredMotion& motion, const std::vector<std::size_t>& masses,
-          const StopTest& stop) {
-  Seen seen;
-  MotionPlayer player(scene, *motion.reader);
-  for (const auto& [frame, record] : motion.reader->records()) {
-    stop_if_told(stop);
-    const State state = player.at(record.time);
-    see(scene, masses, frame, state, masses.empty() ? player.measures() : RunMeasures{}, seen);
-  }
-  return seen;
-}
-
-Seen simulate_and_see(const Scene& scene, const Execution& execution, FrameRate rate,
-                      const std::vector<std::size_t>& masses, const StopTest& stop) {
-  Seen seen;
-  Simulation simulation(scene, execution);
-  for (const int frame : all_frames(film_frame_count(scene, rate))) {
-    const std::optional<State> state = simulation.at(shown_time(scene, frame, rate), stop);
+  for (const auto [frame, time] : instants) {
+    const std::optional<State> state = source.at(time, stop);
     if (!state) throw Interrupted();
-    see(scene, masses, frame, *state, masses.empty() ? simulation.measures(*state) : RunMeasures{}, seen);
+    for (std::size_t i = 0; i < masses.size(); ++i) seen.ways[i].push_back(state->position.at(masses[i]));
+    if (masses.empty()) seen.metrics.rows.push_back(frame_metrics(scene, frame, source.measures()));
   }
   return seen;
 }
@@ -143,8 +132,9 @@ int plot_scene(const PlotFlags& flags, const InterruptWatch& interrupts) {
     const StopTest stop = stop_test(interrupts);
     if (!motion) settle_method(scene, {}, flags.scene.method, flags.quiet, stop);
     const Patience patience(stderr, flags.quiet, "at the plot");
-    const Seen seen =
-        motion ? play(scene, *motion, masses, stop) : simulate_and_see(scene, execution, rate, masses, stop);
+    const std::shared_ptr<const MotionReader> reader = motion ? motion->reader : nullptr;
+    MomentSource source(scene, reader, execution);
+    const Seen seen = see(scene, source, instants_of(scene, reader.get(), rate), masses, stop);
     const PlotScript script = masses.empty()
                                   ? figure_script(metrics_figure(seen.metrics, scene.title, flags.shown))
                                   : figure_script(path_figure(scene.title, flags.paths, seen.ways));

@@ -11,6 +11,10 @@
 
 namespace taut {
 
+bool tension_known(const Scene& scene, double time) {
+  return find_method(scene.settings.method)->can.tension_order > 0 && time > scene.start.time;
+}
+
 std::string colour_problem(const Scene& scene) {
   if (scene.look.colour_by == ColourBy::limit && scene.model.limits.empty())
     return fmt::format("{} has no limits on angles to colour by; there are plain, strain, tension and speed",

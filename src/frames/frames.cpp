@@ -133,14 +133,14 @@ void Pipeline::simulate(PanelRuns& runs) {
       return;
     }
     if (request_.watch) request_.watch(now->front().state);
-    for (std::size_t i = 0; i < now->size() && job_.make_metrics; ++i)
-      metrics_.add(frame_metrics(scenes_[i], frame, runs.measures(i)));
     Posed posed{frame, panels_hash(*now), std::move(checkpoint), {}, {}};
     for (std::size_t i = 0; i < now->size(); ++i)
       notes_.see(scenes_[i], request_.picture.drawn_size(), shows_ground(), (*now)[i].state);
     const bool last = frame == job_.frames.back();
-    for (std::size_t i = 0; i < now->size() && (request_.picture.captions || last); ++i) {
+    const bool measured = request_.picture.captions || job_.make_metrics || last;
+    for (std::size_t i = 0; i < now->size() && measured; ++i) {
       const PanelOutcome outcome{runs.measures(i), (*now)[i].failure};
+      if (job_.make_metrics) metrics_.add(frame_metrics(scenes_[i], frame, outcome.measures));
       posed.captions.push_back(
           panel_caption(scenes_[i], outcome.measures, time, outcome.failure, now->size() == 1));
       if (last) outcome_.panels.push_back(outcome);

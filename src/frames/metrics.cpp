@@ -5,15 +5,13 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "base/bytes.h"
 #include "base/failure.h"
-#include "frames/captions.h"
-#include "methods/registry.h"
+#include "frames/colouring.h"
 #include "panel_runs.h"
 
 namespace taut {
@@ -22,23 +20,23 @@ namespace {
 using Measures = const RunMeasures&;
 
 constexpr std::array<MetricColumn, 16> columns{{
-    {"kinetic_energy", "J", [](Measures m, bool) { return std::optional(m.energy.kinetic); }},
-    {"potential_energy", "J", [](Measures m, bool) { return std::optional(m.energy.potential); }},
-    {"elastic_energy", "J", [](Measures m, bool) { return std::optional(m.energy.elastic); }},
-    {"total_energy", "J", [](Measures m, bool) { return std::optional(m.energy.total()); }},
-    {"pin_work", "J", [](Measures m, bool) { return std::optional(m.pin_work); }},
-    {"load_work", "J", [](Measures m, bool) { return std::optional(m.load_work); }},
-    {"broken_energy", "J", [](Measures m, bool) { return std::optional(m.broken_energy); }},
-    {"energy_error", "", [](Measures m, bool) { return std::optional(m.energy_error); }},
-    {"largest_strain", "", [](Measures m, bool) { return std::optional(m.strain.largest); }},
-    {"mean_strain", "", [](Measures m, bool) { return std::optional(m.strain.mean); }},
-    {"largest_tension", "N",
+    {"kinetic_energy", [](Measures m, bool) { return std::optional(m.energy.kinetic); }},
+    {"potential_energy", [](Measures m, bool) { return std::optional(m.energy.potential); }},
+    {"elastic_energy", [](Measures m, bool) { return std::optional(m.energy.elastic); }},
+    {"total_energy", [](Measures m, bool) { return std::optional(m.energy.total()); }},
+    {"pin_work", [](Measures m, bool) { return std::optional(m.pin_work); }},
+    {"load_work", [](Measures m, bool) { return std::optional(m.load_work); }},
+    {"broken_energy", [](Measures m, bool) { return std::optional(m.broken_energy); }},
+    {"energy_error", [](Measures m, bool) { return std::optional(m.energy_error); }},
+    {"largest_strain", [](Measures m, bool) { return std::optional(m.strain.largest); }},
+    {"mean_strain", [](Measures m, bool) { return std::optional(m.strain.mean); }},
+    {"largest_tension",
      [](Measures m, bool known) { return known ? std::optional(m.largest_tension) : std::nullopt; }},
-    {"sag", "m", [](Measures m, bool) { return std::optional(m.sag); }},
-    {"largest_speed", "m/s", [](Measures m, bool) { return std::optional(m.fastest_speed); }},
-    {"broken_links", "", [](Measures m, bool) { return std::optional(static_cast<double>(m.broken_links)); }},
-    {"penetration", "m", [](Measures m, bool) { return std::optional(m.penetration); }},
-    {"halved_steps", "",
+    {"sag", [](Measures m, bool) { return std::optional(m.sag); }},
+    {"largest_speed", [](Measures m, bool) { return std::optional(m.fastest_speed); }},
+    {"broken_links", [](Measures m, bool) { return std::optional(static_cast<double>(m.broken_links)); }},
+    {"penetration", [](Measures m, bool) { return std::optional(m.penetration); }},
+    {"halved_steps",
      [](Measures m, bool) { return std::optional(static_cast<double>(m.report.halved_steps)); }},
 }};
 
@@ -85,8 +83,7 @@ std::span<const MetricColumn> metric_columns() {
 }
 
 FrameMetrics frame_metrics(const Scene& scene, int frame, const RunMeasures& measures) {
-  const bool knows = find_method(scene.settings.method)->can.tension_order > 0;
-  const bool known = knows && measures.time > scene.start.time;  // once it has made a step
+  const bool known = tension_known(scene, measures.time);
   FrameMetrics row{frame, measures.time, panel_title(scene), {}, {}};
   row.values.reserve(columns.size());
   for (const MetricColumn& column : columns) row.values.push_back(column.value(measures, known));

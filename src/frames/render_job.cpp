@@ -49,8 +49,7 @@ void settle_film(RenderJob& job, const RenderRequest& request, const Manifest& w
   if (fs::is_directory(*request.film, error))
     throw BadRequest(fmt::format("{} is a folder, not a name for a film", request.film->string()));
   if (request.overwrite) return;
-  const FilmRecord* there = known_film((job.folder ? job.folder->manifest() : *job.film_manifest).films,
-                                       job.film.file, *request.film);
+  const FilmRecord* there = known_film(job.known()->films, job.film.file, *request.film);
   job.make_film = there == nullptr || there->frames != job.film.frames;
 }
 
@@ -63,11 +62,9 @@ void settle_metrics(RenderJob& job, const RenderRequest& request) {
   job.metrics = {film_name_from(beside, job.metrics_file), selection_text(job.frames), 0, {}};
   job.make_metrics = true;
   if (request.overwrite) return;
-  const std::vector<FilmRecord> none;
-  const FilmRecord* there = known_film(job.folder          ? job.folder->manifest().metrics
-                                       : job.film_manifest ? job.film_manifest->metrics
-                                                           : none,
-                                       job.metrics.file, job.metrics_file);
+  const std::vector<FilmRecord> known =
+      job.known() != nullptr ? job.known()->metrics : std::vector<FilmRecord>();
+  const FilmRecord* there = known_film(known, job.metrics.file, job.metrics_file);
   job.make_metrics = there == nullptr || there->frames != job.metrics.frames;
 }
 
@@ -119,6 +116,11 @@ std::vector<int> RenderJob::done_before() const {
   for (const int frame : frames)
     if (only_film || (resume && frame < resume->frame)) done.push_back(frame);
   return done;
+}
+
+const Manifest* RenderJob::known() const {
+  if (folder) return &folder->manifest();
+  return film_manifest ? &*film_manifest : nullptr;
 }
 
 void RenderJob::record(FilmRecord& made, FilmList list, const fs::path& temporary) {

@@ -28,6 +28,9 @@ struct RenderJob {
 
   /// The frames that needn't be simulated: a film takes them from their files.
   std::vector<int> done_before() const;
+  /// What knows of films and metrics on disk: the folder's manifest or the film's own; null where there is
+  /// none.
+  const Manifest* known() const;
   /// Remembers a film's (or the metrics') bytes and hash, from the file under its temporary name, in the
   /// manifest on disk beside what stood there. Throws RunFailure.
   void record(FilmRecord& made, FilmList list, const std::filesystem::path& temporary);

@@ -59,7 +59,7 @@ run "taut still curtain --at 1s --captions -o curtain.png"
 run "taut new rope && taut render rope.toml --frames 1 && ls out/rope"
 
 say "apt purge taut"
-inside sh -c "rm -rf /tmp/elsewhere /root/.cache"
+inside sh -c 'rm -rf /tmp/elsewhere "$HOME/.cache"'
 # With what came along only because others recommend it.
 inside apt-get purge --yes -qq --autoremove -o APT::AutoRemove::RecommendsImportant=false \
   -o APT::AutoRemove::SuggestsImportant=false taut >/dev/null 2>&1

@@ -7,16 +7,15 @@
 #include <string_view>
 #include <vector>
 
-#include "frames/stage_times.h"
 #include "motion/run_measures.h"
 #include "scene/scene.h"
 
 namespace taut {
 
-/// A column of metrics: what it is called in files, its unit, and its value in what was measured of a run;
-/// none where the method doesn't know it.
+/// A column of metrics: what it is called in files, and its value in what was measured of a run; none where
+/// the method doesn't know it.
 struct MetricColumn {
-  std::string_view name, unit;
+  std::string_view name;
   std::optional<double> (*value)(const RunMeasures& measures, bool tension_known);
 };
 

@@ -13,7 +13,7 @@
 
 namespace taut {
 
-/// An instant to be exported, and the number it goes by.
+/// An instant of a run, and the number it goes by.
 struct Instant {
   int frame;
   double time;  // s
@@ -32,7 +32,7 @@ std::vector<Instant> chosen_instants(const InstantFlags& flags, const Scene& sce
 /// Whether they are an equal time apart.
 bool are_even(const std::vector<Instant>& instants);
 
-/// Where the instants of an export come from: a scene that is simulated, or a motion that was.
+/// Where the states at instants come from: a scene that is simulated, or a motion that was.
 class MomentSource {
  public:
   /// Refers to the scene, and the motion where there is one, from then on. Throws BadRequest when the scene's
@@ -44,8 +44,6 @@ class MomentSource {
   std::optional<State> at(double time, const StopTest& stop);
   /// What was measured of the run up to the state that at() gave last.
   RunMeasures measures() const;
-  /// Whether tensions mean anything at a time: a method knows them once it has made a step, or never.
-  bool tension_known(double time) const;
   /// Null where a motion is played.
   Simulation* simulation() { return simulation_ ? &*simulation_ : nullptr; }
 

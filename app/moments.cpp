@@ -1,4 +1,4 @@
-#include "export_moments.h"
+#include "moments.h"
 
 #include <fmt/format.h>
 
@@ -80,10 +80,6 @@ std::optional<State> MomentSource::at(double time, const StopTest& stop) {
 
 RunMeasures MomentSource::measures() const {
   return simulation_ ? simulation_->measures(*last_) : player_->measures();
-}
-
-bool MomentSource::tension_known(double time) const {
-  return find_method(scene_.settings.method)->can.tension_order > 0 && time > scene_.start.time;
 }
 
 }  // namespace taut
