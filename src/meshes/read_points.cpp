@@ -16,8 +16,8 @@
 #include "base/hash.h"
 #include "base/nearest.h"
 #include "file_bytes.h"
+#include "meshes/table.h"
 #include "model/turned.h"
-#include "table.h"
 
 namespace taut {
 namespace {

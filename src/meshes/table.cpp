@@ -1,4 +1,4 @@
-#include "table.h"
+#include "meshes/table.h"
 
 #include <fmt/format.h>
 

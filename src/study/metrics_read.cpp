@@ -1,16 +1,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <fstream>
 #include <functional>
-#include <map>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <string_view>
+#include <variant>
 
 #include "base/failure.h"
+#include "meshes/table.h"
 #include "study/metrics_plot.h"
 
 namespace taut {
@@ -18,52 +20,28 @@ namespace {
 
 constexpr std::string_view stage_ending = "_seconds";
 
-using Cells = std::map<std::string, std::optional<std::string>, std::less<>>;  // by column; none: unknown
+// What a row has by its columns' names: a number, a text, or nothing that is known.
+using Cell = std::variant<std::monostate, double, std::string>;
+using Row = std::function<Cell(std::string_view column)>;
 
-// A line's fields; quotes hold commas.
-std::vector<std::string> fields_of(std::string_view line) {
-  std::vector<std::string> fields(1);
-  bool quoted = false;
-  for (const char c : line) {
-    if (c == '"')
-      quoted = !quoted;
-    else if (c == ',' && !quoted)
-      fields.emplace_back();
-    else if (c != '\r')
-      fields.back() += c;
-  }
-  return fields;
+std::optional<double> number_in(const Row& row, std::string_view column) {
+  const Cell value = row(column);
+  const auto* number = std::get_if<double>(&value);
+  return number != nullptr ? std::optional(*number) : std::nullopt;
 }
 
-template <class Number>
-Number number_from(const Cells& cells, std::string_view column) {
-  const auto cell = cells.find(column);
-  if (cell == cells.end() || !cell->second) throw BadRequest(fmt::format("there is no \"{}\"", column));
-  Number number{};
-  const std::string& text = *cell->second;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || end != text.data() + text.size())
-    throw BadRequest(fmt::format("\"{}\" is no number for \"{}\"", text, column));
-  return number;
-}
-
-FrameMetrics row_of(const Cells& cells, const std::vector<std::string>& stages) {
-  FrameMetrics row;
-  row.frame = number_from<int>(cells, "frame");
-  row.time = number_from<double>(cells, "time");
-  const auto method = cells.find("method");
-  if (method != cells.end()) row.method = method->second.value_or("");
-  const auto value = [&](std::string_view column) -> std::optional<double> {
-    const auto cell = cells.find(column);
-    if (cell == cells.end() || !cell->second) return std::nullopt;
-    return number_from<double>(cells, column);
-  };
-  row.values.reserve(metric_columns().size());
-  for (const MetricColumn& column : metric_columns()) row.values.push_back(value(column.name));
-  row.stage_seconds.reserve(stages.size());
+FrameMetrics metrics_of(const Row& row, const std::vector<std::string>& stages) {
+  FrameMetrics metrics;
+  metrics.frame = static_cast<int>(number_in(row, "frame").value_or(0.0));
+  metrics.time = number_in(row, "time").value_or(0.0);
+  const Cell method = row("method");
+  if (const auto* name = std::get_if<std::string>(&method)) metrics.method = *name;
+  metrics.values.reserve(metric_columns().size());
+  for (const MetricColumn& column : metric_columns()) metrics.values.push_back(number_in(row, column.name));
+  metrics.stage_seconds.reserve(stages.size());
   for (const std::string& stage : stages)
-    row.stage_seconds.push_back(value(fmt::format("{}{}", stage, stage_ending)).value_or(0.0));
-  return row;
+    metrics.stage_seconds.push_back(number_in(row, fmt::format("{}{}", stage, stage_ending)).value_or(0.0));
+  return metrics;
 }
 
 void note_stage(const std::string& column, std::vector<std::string>& stages) {
@@ -72,67 +50,61 @@ void note_stage(const std::string& column, std::vector<std::string>& stages) {
   if (std::ranges::find(stages, stage) == stages.end()) stages.push_back(stage);
 }
 
-// Makes a table's lines into cells, the first of them being the header.
-class TableLines {
- public:
-  std::optional<Cells> cells(const std::string& line, std::vector<std::string>& stages) {
-    std::vector<std::string> fields = fields_of(line);
-    if (header_.empty()) {
-      if (std::ranges::find(fields, "time") == fields.end())
-        throw BadRequest("this is no header of metrics: no column \"time\"");
-      header_ = std::move(fields);
-      for (const std::string& column : header_) note_stage(column, stages);
-      return std::nullopt;
-    }
-    if (fields.size() != header_.size())
-      throw BadRequest(fmt::format("{} fields, and the header has {}", fields.size(), header_.size()));
-    Cells cells;
-    for (std::size_t i = 0; i < fields.size(); ++i)
-      cells[header_[i]] = fields[i].empty() ? std::nullopt : std::optional(fields[i]);
-    return cells;
-  }
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw BadRequest(fmt::format("there is no file {}", file.string()));
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
 
- private:
-  std::vector<std::string> header_;
-};
+MetricsTable from_table(const std::string& text, const std::string& file) {
+  const Table table(text, file);
+  MetricsTable metrics;
+  for (const std::string_view needed : {"frame", "time"})
+    if (table.column(needed) == Table::no_column)
+      table.fail(table.headings().front(), fmt::format("there is no column \"{}\" of metrics", needed));
+  for (const TableField& heading : table.headings()) note_stage(heading.text, metrics.stages);
+  for (std::size_t i = 0; i < table.row_count(); ++i)
+    for (const std::string_view needed : {"frame", "time"})
+      if (const std::size_t column = table.column(needed); !table.number(i, column))
+        table.fail(table.field(i, column), fmt::format("there is no {}", needed));
+  metrics.rows.reserve(table.row_count());
+  for (std::size_t i = 0; i < table.row_count(); ++i) {
+    const Row row = [&](std::string_view name) -> Cell {
+      const std::size_t column = table.column(name);
+      if (column == Table::no_column || table.field(i, column).text.empty()) return {};
+      if (name == "method") return table.field(i, column).text;
+      return *table.number(i, column);
+    };
+    metrics.rows.push_back(metrics_of(row, metrics.stages));
+  }
+  return metrics;
+}
 
-Cells cells_of_object(const std::string& line, std::vector<std::string>& stages) {
-  nlohmann::ordered_json json;
-  try {
-    json = nlohmann::ordered_json::parse(line);
-  } catch (const std::exception&) {
-    throw BadRequest("this is no object of JSON");
+MetricsTable from_lines(const std::string& text, const std::string& file) {
+  MetricsTable metrics;
+  std::istringstream lines(text);
+  std::string line;
+  for (std::size_t number = 1; std::getline(lines, line); ++number) {
+    const auto json = nlohmann::ordered_json::parse(line, nullptr, false);
+    if (!json.is_object() || !json.value("time", nlohmann::ordered_json()).is_number())
+      throw BadRequest(fmt::format("{}:{}: this is no object of JSON with a \"time\"", file, number));
+    for (const auto& [name, value] : json.items()) note_stage(name, metrics.stages);
+    const Row row = [&](std::string_view name) -> Cell {
+      const auto found = json.find(name);
+      if (found == json.end()) return {};
+      if (found->is_string()) return found->get<std::string>();
+      return found->is_number() ? Cell(found->get<double>()) : Cell();
+    };
+    metrics.rows.push_back(metrics_of(row, metrics.stages));
   }
-  if (!json.is_object()) throw BadRequest("this is no object of JSON");
-  Cells cells;
-  for (const auto& [name, value] : json.items()) {
-    note_stage(name, stages);
-    cells[name] = value.is_null()     ? std::nullopt
-                  : value.is_string() ? std::optional(value.get<std::string>())
-                                      : std::optional(value.dump());
-  }
-  return cells;
+  return metrics;
 }
 
 }  // namespace
 
 MetricsTable read_metrics(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  if (!stream) throw BadRequest(fmt::format("there is no file {}", file.string()));
-  MetricsTable metrics;
-  TableLines table;
-  std::string line;
-  for (std::size_t number = 1; std::getline(stream, line); ++number) {
-    if (line.empty()) continue;
-    try {
-      const std::optional<Cells> cells = are_lines(file)
-                                             ? std::optional(cells_of_object(line, metrics.stages))
-                                             : table.cells(line, metrics.stages);
-      if (cells) metrics.rows.push_back(row_of(*cells, metrics.stages));
-    } catch (const BadRequest& problem) {
-      throw BadRequest(fmt::format("{}:{}: {}", file.string(), number, problem.what()));
-    }
-  }
+  const std::string text = text_of(file);
+  MetricsTable metrics = are_lines(file) ? from_lines(text, file.string()) : from_table(text, file.string());
   if (metrics.rows.empty()) throw BadRequest(fmt::format("{} has no metrics in it", file.string()));
   return metrics;
 }

@@ -188,23 +188,26 @@ TEST(Plot, RefusesInWords) {
   folder.write("cut.csv", "frame,time,method,sag\n1,0,\"xpbd\",0\n2,0.1,\"xpbd\"\n");
   folder.write("odd.csv", "frame,time,method,sag\n1,zero,\"xpbd\",0\n");
   folder.write("odd.jsonl", "[1]\n");
-  const std::vector<BadPlot> plots{{{"plot"}, "nothing to plot"},
-                                   {{"plot", "none.csv"}, "there is no file none.csv"},
-                                   {{"plot", "other.csv"}, "other.csv:1: "},
-                                   {{"plot", "cut.csv"}, "cut.csv:3: 3 fields"},
-                                   {{"plot", "odd.csv"}, "odd.csv:2: \"zero\" is no number"},
-                                   {{"plot", "odd.jsonl"}, "odd.jsonl:1: "},
-                                   {{"plot", scene, "--show", "enrgy"}, "did you mean \"energy\"?"},
-                                   {{"plot", scene, "--path", "bbo"}, "did you mean \"bob\"?"},
-                                   {{"plot", scene, "--path", "bob", "--show", "sag"}, "plots of their own"},
-                                   {{"plot", "cut.csv", "--path", "bob"}, "hold no places"}};
+  folder.write("empty.csv", "frame,time,method,sag\n1,,\"xpbd\",0\n");
+  const std::vector<BadPlot> plots{
+      {{"plot"}, "nothing to plot"},
+      {{"plot", "none.csv"}, "there is no file none.csv"},
+      {{"plot", "other.csv"}, "other.csv:1:1: there is no column"},
+      {{"plot", "cut.csv"}, "cut.csv:3:7: the row has 3 fields, and there are 4 headings"},
+      {{"plot", "odd.csv"}, "odd.csv:2:3: time must be a number, not \"zero\""},
+      {{"plot", "empty.csv"}, "empty.csv:2:3: there is no time"},
+      {{"plot", "odd.jsonl"}, "odd.jsonl:1: this is no object"},
+      {{"plot", scene, "--show", "enrgy"}, "did you mean \"energy\"?"},
+      {{"plot", scene, "--path", "bbo"}, "did you mean \"bob\"?"},
+      {{"plot", scene, "--path", "bob", "--show", "sag"}, "plots of their own"},
+      {{"plot", "cut.csv", "--path", "bob"}, "hold no places"}};
   for (const BadPlot& plot : plots) {
     std::vector<std::string> words = plot.words;
     words.insert(words.end(), {"-o", "plot"});
     const Ran ran = taut(words, {}, folder.path());
     EXPECT_EQ(ran.status, 2) << plot.said << ": " << ran.err;
     EXPECT_NE(ran.err.find(plot.said), std::string::npos) << ran.err;
-    EXPECT_EQ(folder.entries(), 5U) << "nothing was written";
+    EXPECT_EQ(folder.entries(), 6U) << "nothing was written";
   }
 }
 
