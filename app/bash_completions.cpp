@@ -32,6 +32,12 @@ _taut_folders() {
   mapfile -t COMPREPLY < <(compgen -d -- "$cur")
 }
 
+# Keys that --set takes: of the scene that comes first after the verb, else of any.
+_taut_keys() {
+  compopt -o nospace 2>/dev/null
+  mapfile -t COMPREPLY < <(compgen -W "$("${COMP_WORDS[0]/#\~/$HOME}" generate words keys -- "${COMP_WORDS[2]}" 2>/dev/null)" -- "$cur")
+}
+
 # Scenes by name, and scene files.
 _taut_scenes() {
   compopt -o filenames 2>/dev/null
@@ -56,6 +62,8 @@ std::string completed_in_bash(const FlagFacts& flag) {
       return "_taut_folders";
     case ValueKind::scene:
       return "_taut_scenes";
+    case ValueKind::change:
+      return "_taut_keys";
     case ValueKind::method:
       return fmt::format("{} {}", flag.takes_list ? "_taut_list" : "_taut_words",
                          shell_quoted(method_words()));
@@ -105,6 +113,7 @@ std::string bash_completions(const ProgramFacts& program) {
     cur=
   elif [[ $before == '=' ]]; then
     before=${{COMP_WORDS[COMP_CWORD - 2]}}
+    [[ $before == -* ]] || before=value  # of a key
   fi
   COMPREPLY=()
   for word in "${{COMP_WORDS[@]:1:COMP_CWORD - 1}}"; do
@@ -113,6 +122,7 @@ std::string bash_completions(const ProgramFacts& program) {
     esac
   done
   case "$verb $before" in
+    *" value") return ;;
 )shell",
                       fmt::join(verbs, " | "));
   for (const auto& [call, patterns] : bash_values(program))

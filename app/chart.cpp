@@ -195,8 +195,7 @@ void add_chart(CommandLine& program) {
   verb->add_option("--budget", flags->budget,
                    "Time to spend on a scene; what is then missing is run the next time")
       ->capture_default_str();
-  verb->add_option("--set", flags->sets, "Change a key of the scenes: key=value, any number of times")
-      ->one_each("KEY=VALUE");
+  add_sets(*verb, flags->sets, "the scenes");
   verb->add_option("-o,--output", flags->folder, "Folder for charts, tables and chart.html")
       ->names_a(ValueKind::folder)
       ->capture_default_str();

@@ -17,7 +17,7 @@ namespace taut {
 using Action = std::function<int()>;
 
 /// What a value is a name of, where it is one; shells complete it by that.
-enum class ValueKind { text, file, folder, scene, method };
+enum class ValueKind { text, file, folder, scene, method, change };
 
 /// A verb's option, flag or argument as the help has it, for man pages and completions.
 struct FlagFacts {

@@ -70,8 +70,7 @@ void add_compare(CommandLine& program) {
       ->names_a(ValueKind::method)
       ->list("METHODS")
       ->required();
-  verb->add_option("--set", flags->sets, "Change a key of the scene: key=value, any number of times")
-      ->one_each("KEY=VALUE");
+  add_sets(*verb, flags->sets);
   flags->output.picture.captions = true;
   flags->output.add_to(*verb, "out/<scene>-compared");
   verb->footer(

@@ -30,6 +30,8 @@ std::string completed_in_fish(const FlagFacts& flag) {
       return " -f -a '(__fish_complete_directories)'";
     case ValueKind::scene:
       return " -f -a '(taut generate words scenes 2>/dev/null; __fish_complete_suffix .toml)'";
+    case ValueKind::change:
+      return " -f -a '(taut generate words keys -- (commandline -opc)[3] 2>/dev/null)'";
     case ValueKind::method:
       return one_of(method_words());
     case ValueKind::text:

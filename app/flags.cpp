@@ -67,8 +67,13 @@ void SceneFlags::add_to(Verb& verb, const std::string& optional) {
 void SceneFlags::add_changes_to(Verb& verb) {
   verb.add_option("--method", method, "Simulate with this method, one of `taut list methods`")
       ->names_a(ValueKind::method);
-  verb.add_option("--set", sets, "Change a key of the scene: key=value, any number of times")
-      ->one_each("KEY=VALUE");
+  add_sets(verb, sets);
+}
+
+void add_sets(Verb& verb, std::vector<std::string>& sets, std::string_view of) {
+  verb.add_option("--set", sets, fmt::format("Change a key of {}: key=value, any number of times", of))
+      ->one_each("KEY=VALUE")
+      ->names_a(ValueKind::change);
 }
 
 void SceneFlags::add_threads_to(Verb& verb) {

@@ -12,6 +12,9 @@
 
 namespace taut {
 
+/// Adds --set, which changes keys of what it is said to be of.
+void add_sets(Verb& verb, std::vector<std::string>& sets, std::string_view of = "the scene");
+
 /// Which scene, and what is changed in it.
 struct SceneFlags {
   std::string scene;

@@ -15,6 +15,7 @@
 #include "host/standard_streams.h"
 #include "man_pages.h"
 #include "output/atomic_file.h"
+#include "scene/scene.h"
 #include "verbs.h"
 
 namespace taut {
@@ -23,7 +24,7 @@ namespace {
 constexpr std::array<std::string_view, 3> generated{"completions", "man", "words"};
 
 struct GenerateFlags {
-  std::string what, which;
+  std::string what, which, scene;
 };
 
 void generate_completions(const ProgramFacts& program, const std::string& shell) {
@@ -37,11 +38,25 @@ void generate_man_pages(const ProgramFacts& program, const std::filesystem::path
   for (const ManPage& page : man_pages(program, version())) write_file(folder / page.file, page.text);
 }
 
-// For completions: one a line, and nothing read but the folders.
-void generate_words(const std::string& of) {
-  constexpr std::array<std::string_view, 1> known{"scenes"};
-  if (of != known.front()) not_one_of("words", of, known);
-  for (const std::filesystem::path& file : all_scene_files()) print_result("{}\n", file.stem().string());
+// What a scene holds, where there is one by that name.
+std::string text_of(const std::string& scene) {
+  if (scene.empty()) return {};
+  try {
+    return scene_text(find_scene(scene));
+  } catch (const BadRequest&) {
+    return {};  // the shell asks with whatever stands there so far
+  }
+}
+
+// For completions: one a line, and nothing read but the folders and the text of a scene.
+void generate_words(const std::string& of, const std::string& scene) {
+  constexpr std::array<std::string_view, 2> known{"scenes", "keys"};
+  if (of == "scenes")
+    for (const std::filesystem::path& file : all_scene_files()) print_result("{}\n", file.stem().string());
+  else if (of == "keys")
+    for (const std::string& key : settable_keys(text_of(scene))) print_result("{}=\n", key);
+  else
+    not_one_of("words", of, known);
 }
 
 int generate(const CommandLine& program, const GenerateFlags& flags) {
@@ -50,7 +65,7 @@ int generate(const CommandLine& program, const GenerateFlags& flags) {
   else if (flags.what == "man")
     generate_man_pages(program.facts(), flags.which.empty() ? "." : flags.which);
   else if (flags.what == "words")
-    generate_words(flags.which);
+    generate_words(flags.which, flags.scene);
   else
     not_one_of("what generate makes", flags.what, generated);
   return exit_done;
@@ -65,7 +80,9 @@ void add_generate(CommandLine& program) {
   verb->add_option("WHAT", flags->what,
                    "completions: those of a shell, on stdout; man: manual pages; words: for completions")
       ->required();
-  verb->add_option("WHICH", flags->which, "bash, zsh or fish; the folder for manual pages [.]; scenes");
+  verb->add_option("WHICH", flags->which,
+                   "bash, zsh or fish; the folder for manual pages [.]; scenes or keys");
+  verb->add_option("SCENE", flags->scene, "Of which the keys are");
   verb->footer(
       "Example:\n  taut generate completions bash > ~/.local/share/bash-completion/completions/taut\n"
       "  taut generate man ~/.local/share/man/man1");

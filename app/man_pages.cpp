@@ -74,6 +74,8 @@ std::string value_of(const FlagFacts& flag) {
       return "SCENE";
     case ValueKind::method:
       return flag.takes_list ? "METHODS" : "METHOD";
+    case ValueKind::change:
+      return "KEY=VALUE";
     case ValueKind::text:
       break;
   }

@@ -68,10 +68,7 @@ std::string with_name(std::string_view text, const std::string& name) {
 std::string copy_of(const std::string& scene, const std::string& name) {
   const fs::path file = find_scene(scene);
   load_scene(file);
-  std::ifstream stream(file, std::ios::binary);
-  const std::string text = fmt::format("# A copy of {}.\n{}", file.filename().string(),
-                                       std::string(std::istreambuf_iterator<char>(stream), {}));
-  if (!stream) throw RunFailure(fmt::format("{} can't be read", file.string()));
+  const std::string text = fmt::format("# A copy of {}.\n{}", file.filename().string(), scene_text(file));
   parse_scene(text, name + ".toml");
   return text;
 }

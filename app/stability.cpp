@@ -139,8 +139,7 @@ void add_stability(CommandLine& program) {
   verb->add_option("--grid", flags->grid, "Columns x rows of a map")->capture_default_str();
   verb->add_option("--duration", flags->duration, "Seconds of every run, at most the scene's")
       ->capture_default_str();
-  verb->add_option("--set", flags->sets, "Change a key of the scene: key=value, any number of times")
-      ->one_each("KEY=VALUE");
+  add_sets(*verb, flags->sets);
   verb->add_option("-o,--output", flags->folder, "Folder [out/stability]")->names_a(ValueKind::folder);
   verb->add_flag("--resume", flags->resume, "Go on where an earlier run stopped, as it does anyway");
   verb->add_flag("--overwrite", flags->overwrite, "Begin anew, whatever the folder holds");

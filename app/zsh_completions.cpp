@@ -12,6 +12,13 @@ _taut_scenes() {
   scenes=("${(@f)$(taut generate words scenes 2>/dev/null)}")
   _alternative 'scenes:scene:compadd -a scenes' 'files:scene file:_files -g "*.toml"'
 }
+
+# Keys that --set takes: of the scene that comes first after the verb, else of any.
+_taut_keys() {
+  local -a keys
+  keys=("${(@f)$(taut generate words keys -- "$words[2]" 2>/dev/null)}")
+  compadd -S '' -a keys
+}
 )shell";
 
 // Colons and brackets mean something in a specification of _arguments.
@@ -36,6 +43,8 @@ std::string completed_in_zsh(const FlagFacts& flag) {
       return "_files -/";
     case ValueKind::scene:
       return "_taut_scenes";
+    case ValueKind::change:
+      return "_taut_keys";
     case ValueKind::method:
       return one_of(method_words());
     case ValueKind::text:

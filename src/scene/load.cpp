@@ -190,20 +190,6 @@ void build_scene(const Node& document, Scene& scene, Reader& reader) {
     reader.plain(origin_of(document, {"solve", 0, "method", {}, {}}), problem);
 }
 
-std::string read_file(const std::filesystem::path& file) {
-  const std::string name = file.string();
-  std::error_code code;
-  const auto status = std::filesystem::status(file, code);
-  if (!std::filesystem::exists(status)) throw BadRequest(name + ": no such file");
-  if (std::filesystem::is_directory(status)) throw BadRequest(name + ": a directory, not a scene file");
-  std::ifstream stream(file, std::ios::binary);
-  std::string text(most_bytes + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (stream.bad() || (stream.gcount() == 0 && !stream.eof())) throw BadRequest(name + ": can't be read");
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  return text;
-}
-
 }  // namespace
 
 Scene parse_scene(const std::string& text, const std::string& file, const SceneOverrides& overrides,
@@ -251,9 +237,23 @@ Scene parse_scene(const std::string& text, const std::string& file, const SceneO
   return scene;
 }
 
+std::string scene_text(const std::filesystem::path& file) {
+  const std::string name = file.string();
+  std::error_code code;
+  const auto status = std::filesystem::status(file, code);
+  if (!std::filesystem::exists(status)) throw BadRequest(name + ": no such file");
+  if (std::filesystem::is_directory(status)) throw BadRequest(name + ": a directory, not a scene file");
+  std::ifstream stream(file, std::ios::binary);
+  std::string text(most_bytes + 1, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (stream.bad() || (stream.gcount() == 0 && !stream.eof())) throw BadRequest(name + ": can't be read");
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  return text;
+}
+
 Scene load_scene(const std::filesystem::path& file, const SceneOverrides& overrides,
                  const BeforeBuilding& before_building) {
-  return parse_scene(read_file(file), file.string(), overrides, before_building);
+  return parse_scene(scene_text(file), file.string(), overrides, before_building);
 }
 
 }  // namespace taut

@@ -99,7 +99,7 @@ TEST_F(BashCompletionsTest, OfScenesAreNamesAndFiles) {
   for (const auto& entry : fs::directory_iterator(TAUT_SCENE_FOLDER))
     if (entry.path().extension() == ".toml") expected.insert(entry.path().stem().string());
   EXPECT_EQ(all, expected);
-  EXPECT_EQ(offered({"check", "bola", "m"}), (Offered{"my-own.toml", "more"}));
+  EXPECT_EQ(offered({"check", "bola", "my"}), (Offered{"my-own.toml"}));
   EXPECT_EQ(offered({"new", "rope", "--like", "bo"}), (Offered{"bola"}));
 }
 
@@ -123,6 +123,31 @@ TEST_F(BashCompletionsTest, OfOtherValues) {
   EXPECT_EQ(offered({"new", "rope", "--kind", ""}), (Offered{"chain", "sheet", "ragdoll"}));
   EXPECT_EQ(offered({"chart", "--errors", "strain,e"}), (Offered{"strain,energy"}));
   EXPECT_EQ(offered({"render", "bola", "--fps", ""}), Offered());
+}
+
+TEST_F(BashCompletionsTest, OfKeysAreThoseOfTheScene) {
+  EXPECT_EQ(offered({"render", "bola", "--set", "world.d"}), (Offered{"world.duration=", "world.drag="}));
+  EXPECT_EQ(offered({"render", "curtain", "--set", "sheet.cloth.break"}),
+            (Offered{"sheet.cloth.break_stretch=", "sheet.cloth.break_tension=", "sheet.cloth.break_at="}));
+  EXPECT_EQ(offered({"check", "curtain", "--set", "ragdoll."}), Offered()) << "it has none";
+  EXPECT_TRUE(offered({"chart", "--set", "chain."}).contains("chain.*.links="));
+  EXPECT_TRUE(offered({"render", "curtain", "--set", "sheet.cloth.dia"})
+                  .contains("sheet.cloth.diagonals.stiffness="));
+  EXPECT_EQ(offered({"render", "bola", "--set", "world.drag", "=", "0"}), Offered());
+}
+
+// Each of them can be set: an error is about the value, never the key.
+TEST(Completions, OfKeysAreThoseThatCanBeSet) {
+  const TemporaryFolder folder;
+  int tried = 0;
+  for (const std::string scene : {"curtain", "ragdoll-drop", "poncho"}) {
+    for (const std::string& key : offered_lines(taut({"generate", "words", "keys", scene}).out)) {
+      if (++tried % 7 != 0) continue;
+      const Ran ran = taut({"check", scene, "--set", key + "\"?\""});
+      EXPECT_EQ(ran.err.find("unknown key"), std::string::npos) << ran.err;
+    }
+  }
+  EXPECT_GT(tried, 300);
 }
 
 TEST(Completions, AreReadByTheirShells) {

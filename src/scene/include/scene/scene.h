@@ -58,6 +58,10 @@ struct SceneOverrides {
 /// Told what a scene asks for, once that is known and before it is built.
 using BeforeBuilding = std::function<void(const Counts&)>;
 
+/// What a scene file holds; somewhat more than a scene may, of one that is too long. Throws BadRequest where
+/// there is none, or none to read.
+std::string scene_text(const std::filesystem::path& file);
+
 /// Reads and builds a scene. Throws BadScene, and BadRequest where there is no file to read.
 Scene load_scene(const std::filesystem::path& file, const SceneOverrides& overrides = {},
                  const BeforeBuilding& before_building = {});
@@ -69,6 +73,10 @@ Scene parse_scene(const std::string& text, const std::string& file, const SceneO
 /// The scene as TOML with every default filled in; parse_scene() of it gives the same model and start, bit
 /// for bit, where the files that it names are found and have not changed: it has their hashes.
 std::string resolved_toml(const Scene& scene);
+
+/// The dotted paths of all keys that `--set` takes for a scene's text: entries of lists by their names,
+/// numbers or `*`. Of no text, or one that is no TOML, those of any scene.
+std::vector<std::string> settable_keys(const std::string& text);
 
 /// The reference of every key of a scene file as Markdown, made from the parser's own table.
 std::string key_reference();
