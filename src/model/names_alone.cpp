@@ -120,6 +120,13 @@ void look_for_names(const Description& description, NameSearch& search) {
 
 }  // namespace
 
+Built build_names(const Description& description) {
+  Built built;
+  built.problems = find_problems(description);
+  build_names_alone(description, built);
+  return built;
+}
+
 void build_names_alone(const Description& description, Built& built) {
   if (std::ranges::any_of(built.problems, decides_names)) return;
   const Description sound = stand_ins(description);

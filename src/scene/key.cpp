@@ -8,12 +8,16 @@
 
 namespace taut {
 
-void report_unknown(const Entry& entry, const std::vector<KeyInfo>& known, std::string_view label,
-                    Reader& reader) {
+std::string_view nearest_key(std::string_view key, const std::vector<KeyInfo>& known) {
   std::vector<std::string_view> names;
   names.reserve(known.size());
   for (const KeyInfo& info : known) names.push_back(info.name);
-  const std::string_view nearest = nearest_name(entry.key, names);
+  return nearest_name(key, names);
+}
+
+void report_unknown(const Entry& entry, const std::vector<KeyInfo>& known, std::string_view label,
+                    Reader& reader) {
+  const std::string_view nearest = nearest_key(entry.key, known);
   const auto meant = std::ranges::find(known, nearest, &KeyInfo::name);
   reader.unreadable(entry.origin, fmt::format("unknown key {} in {}", in_quotes(entry.key), label),
                     meant == known.end() ? reader.home_hint(entry.key) : did_you_mean(nearest, meant->unit));

@@ -69,6 +69,9 @@ std::vector<KeyInfo> infos(const Keys<T>& keys) {
   return list;
 }
 
+/// The one of `known` that a key which is none of them may have been meant to be; empty where none is near.
+std::string_view nearest_key(std::string_view key, const std::vector<KeyInfo>& known);
+
 /// Reports a key that is none of `known`, with the nearest one and its unit. `label` says of what it is no
 /// key, such as `[[chain]]`.
 void report_unknown(const Entry& entry, const std::vector<KeyInfo>& known, std::string_view label,
@@ -99,6 +102,8 @@ bool read_table(const Node& node, const Keys<T>& keys, std::string_view label, T
       continue;
     }
     if (known.empty()) known = infos(keys);
+    const std::string_view meant = nearest_key(entry.key, known);
+    if (kind == TableKind::entry && !meant.empty()) reader.begin_key(meant);
     report_unknown(entry, known, label, reader);
   }
   for (const Key<T>& each : keys) {

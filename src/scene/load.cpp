@@ -168,7 +168,7 @@ void check_trails(const Node& document, const Scene& scene, const Names& names, 
 // Makes the model; reports what is wrong with the entries as they stand to one another. What needs masses, or
 // only their names, is checked where there are some to trust, whatever else is wrong.
 void build_scene(const Node& document, Scene& scene, Reader& reader) {
-  Built built = build(scene.description);
+  Built built = reader.masses_readable() ? build(scene.description) : build_names(scene.description);
   report_problems(document, built.problems, reader);
   check_camera(document, scene.camera, reader);
   check_look(document, scene.look, reader);

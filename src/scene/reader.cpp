@@ -11,6 +11,27 @@ namespace {
 
 constexpr std::size_t most_kept = 10'000, most_counted = 100'000;
 
+template <std::size_t count>
+bool is_one_of(std::string_view word, const std::array<std::string_view, count>& words) {
+  return std::ranges::find(words, word) != words.end();
+}
+
+// Whether masses are made of the entries of a section. An empty one is the top level: an unknown section may
+// have been meant to hold masses.
+bool makes_masses(std::string_view section) {
+  static constexpr std::array<std::string_view, 7> sections{"",     "mass",   "chain",  "sheet",
+                                                            "mesh", "points", "ragdoll"};
+  return is_one_of(section, sections);
+}
+
+// Whether a key decides how many masses an entry has, or what they are called. Of files and bodies any may:
+// welding and a list of parts do. Without a key it is the entry itself that can't be read.
+bool decides_names(std::string_view section, std::string_view key) {
+  static constexpr std::array<std::string_view, 3> by_few{"mass", "chain", "sheet"};
+  static constexpr std::array<std::string_view, 4> few{"name", "links", "rows", "columns"};
+  return !is_one_of(section, by_few) || key.empty() || is_one_of(key, few);
+}
+
 }  // namespace
 
 void Reader::begin_entry(std::string_view section, std::size_t index) {
@@ -52,18 +73,17 @@ void Reader::bad_value(const Origin& origin, std::string message, std::string hi
 void Reader::unreadable(const Origin& origin, std::string message, std::string hint) {
   plain(origin, std::move(message), std::move(hint));
   unreadable_.insert(entry_);
-  const std::string& section = entry_.first;
-  // An empty section is the top level: an unknown section may have been meant to hold masses.
-  static constexpr std::array<std::string_view, 7> naming{"",     "mass",   "chain",  "sheet",
-                                                          "mesh", "points", "ragdoll"};
-  if (std::ranges::find(naming, section) != naming.end()) names_incomplete_ = true;
+  if (makes_masses(entry_.first) && decides_names(entry_.first, key_)) names_incomplete_ = true;
+}
+
+bool Reader::masses_readable() const {
+  return std::ranges::none_of(unreadable_, [](const EntryId& entry) { return makes_masses(entry.first); });
 }
 
 bool Reader::model_readable() const {
   static constexpr std::array<std::string_view, 5> no_parts{"world", "solve", "camera", "look", "expect"};
-  return std::ranges::all_of(unreadable_, [](const EntryId& entry) {
-    return std::ranges::find(no_parts, entry.first) != no_parts.end();
-  });
+  return std::ranges::all_of(unreadable_,
+                             [](const EntryId& entry) { return is_one_of(entry.first, no_parts); });
 }
 
 bool Reader::follows_from_reported(const Problem& problem) const {
@@ -71,7 +91,7 @@ bool Reader::follows_from_reported(const Problem& problem) const {
   if (unreadable_.contains(id)) return true;
   static constexpr std::array<std::string_view, 6> using_names{"link",  "tie",   "load",
                                                                "angle", "hinge", "cone"};
-  if (names_incomplete_ && std::ranges::find(using_names, problem.section) != using_names.end()) return true;
+  if (names_incomplete_ && is_one_of(problem.section, using_names)) return true;
   const auto reported = reported_keys_.find(id);
   if (reported == reported_keys_.end()) return false;
   return problem.key.empty() || reported->second.contains(problem.key.substr(0, problem.key.find('.')));

@@ -47,6 +47,8 @@ class Reader {
 
   /// Whether the masses that were read are all that were meant, under the names they were meant to have.
   bool names_complete() const { return !names_incomplete_; }
+  /// Whether they are also where they were meant to be, and linked as they were meant to be.
+  bool masses_readable() const;
   /// Whether every entry that makes a part of the model could be read as meant.
   bool model_readable() const;
 

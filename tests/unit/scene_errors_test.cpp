@@ -318,6 +318,35 @@ TEST(SceneErrors, WhatFollowsFromAnErrorIsNotReported) {
             "f.toml:5:8: \"name\" must be text, not 3\n    name = 3\n           ^");
 }
 
+// How many masses there are, and what they are called, is known all the same.
+TEST(SceneErrors, BadNamesAreReportedBesideWhatCantBeRead) {
+  const std::string masses = "[[mass]]\nname = \"hand\"\nposition = [0, 0, 0]\n";
+  const std::string names =
+      "[[link]]\na = \"hand\"\nb = \"rop.1\"\n[[load]]\nmasses = [\"hnd\"]\nforce = [0, 1, 0]\n"
+      "[camera]\nfollow = \"rope.9\"\n[look]\ntrails = [\"rope.x\"]\n";
+  for (const std::string broken :
+       {"[[chain]]\nname = \"rope\"\nfrom = [0, 2, 0]\nto = [2, 2, 0]\nlinks = 5\nsofness = 1\n",
+        "[[chain]]\nname = \"rope\"\nfrom = \"here\"\nto = [2, 2, 0]\nlinks = 5\n",
+        "[[chain]]\nname = \"rope\"\nto = [2, 2, 0]\nlinks = 5\n", "[[mass]]\nname = \"rope\"\n",
+        "[[mass]]\nname = \"rope\"\nposition = [0, 0]\n"}) {
+    const std::string errors = errors_of(broken + masses + names);
+    EXPECT_EQ(std::count(errors.begin(), errors.end(), '^'), 5) << errors;
+    for (const std::string name :
+         {"mass is named \"rop.1\"", "mass is named \"hnd\"", "no mass: \"rope.9\"", "no mass: \"rope.x\""})
+      EXPECT_NE(errors.find(name), std::string::npos) << name << " in\n" << errors;
+  }
+}
+
+// Neither how many there are of them, nor what they are called, where that itself can't be read.
+TEST(SceneErrors, NamesAreNotLookedForWhereTheyAreWhatCantBeRead) {
+  for (const std::string key : {"links = \"five\"", "lnks = 5", "nmae = \"rope\""})
+    EXPECT_EQ(errors_of("[[chain]]\nname = \"rope\"\nfrom = [0, 2, 0]\nto = [2, 2, 0]\n" + key +
+                        "\n[camera]\nfollow = \"rope.9\"\n")
+                  .find("follow"),
+              std::string::npos)
+        << key;
+}
+
 TEST(SceneErrors, VeryManyAreCounted) {
   std::string text = chain_with("");
   for (int i = 0; i < 12'000; ++i) text += fmt::format("x{} = 1\n", i);

@@ -421,4 +421,8 @@ struct Built {
 /// links, ties. All problems are reported at once.
 Built build(const Description& description);
 
+/// What can be said of a description whose masses are not those that were meant, but for their names:
+/// problems within entries, and names that no mass has.
+Built build_names(const Description& description);
+
 }  // namespace taut
