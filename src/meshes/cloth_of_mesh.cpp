@@ -38,12 +38,13 @@ double size_of(const std::vector<Vec3>& places) {
 
 class ClothMaker {
  public:
-  ClothMaker(const RawMesh& raw, const MeshSpec& spec, std::vector<std::string>& notes)
-      : raw_(raw), spec_(spec), notes_(notes) {}
+  ClothMaker(const RawMesh& raw, const MeshSpec& spec, MeshUse use, std::vector<std::string>& notes)
+      : raw_(raw), spec_(spec), use_(use), notes_(notes) {}
 
-  MeshData make() {
+  PlacedMesh make() {
     if (raw_.face_count() == 0)
-      throw BadRequest(fmt::format("{}: there are no faces in it, and cloth is made of those", spec_.file));
+      throw BadRequest(fmt::format("{}: there are no faces in it, and {} is made of those", spec_.file,
+                                   is_cloth() ? "cloth" : "a solid"));
     place();
     stands_for_ = welded(places_, weld_distance());
     for (Index face = 0; face < raw_.face_count(); ++face) take_face(face);
@@ -52,13 +53,16 @@ class ClothMaker {
           fmt::format("{}: no face is left, since all of its corners are within {:.3g} m of each other: is "
                       "\"scale\" right, or \"weld\" too large?",
                       spec_.file, weld_distance()));
+    if (!is_cloth()) require_closed();
     turn_alike();
     number_vertices();
     tell();
-    return std::move(made_);
+    return {std::move(made_), std::move(from_)};
   }
 
  private:
+  bool is_cloth() const { return use_ == MeshUse::cloth; }
+
   [[noreturn]] void fail_at_face(Index face, std::string_view message) const {
     throw BadRequest(fmt::format("{}: {}", place_in(spec_.file, raw_.face_line, face), message));
   }
@@ -168,16 +172,40 @@ class ClothMaker {
   }
 
   [[noreturn]] void report_crowded(Index face, Index a, Index b, const std::array<Index, 2>& others) const {
-    const Vec3 &from = raw_.vertices[a], &to = raw_.vertices[b];
     const std::string where =
         raw_.face_line.empty()
             ? fmt::format("faces {}, {} and {}, counted from 0", from_[others[0]], from_[others[1]], face)
             : fmt::format("those of lines {}, {} and {}", raw_.face_line[from_[others[0]]],
                           raw_.face_line[from_[others[1]]], raw_.face_line[face]);
-    fail_at_face(face,
-                 fmt::format("three faces meet at one edge, and cloth has two at most: {}, from ({:.6g}, "
-                             "{:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g}) in the file",
-                             where, from.x(), from.y(), from.z(), to.x(), to.y(), to.z()));
+    fail_at_face(face, fmt::format("three faces meet at one edge, and {}: {}, {} in the file",
+                                   is_cloth() ? "cloth has two at most" : "a solid's surface has two at each",
+                                   where, the_edge(a, b)));
+  }
+
+  std::string the_edge(Index a, Index b) const {
+    const Vec3 &from = raw_.vertices[a], &to = raw_.vertices[b];
+    return fmt::format("from ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g})", from.x(), from.y(),
+                       from.z(), to.x(), to.y(), to.z());
+  }
+
+  // Every edge has a face on either side; says of the first one that hasn't.
+  void require_closed() const {
+    std::size_t open = 0;
+    for (const auto& [key, faces] : faces_of_edge_) open += faces[0] == faces[1] ? 1U : 0U;
+    if (open == 0) return;
+    for (Index face = 0; face < made_.face_count(); ++face) {
+      const auto corners = made_.face(face);
+      for (std::size_t k = 0; k < corners.size(); ++k) {
+        const Index a = corners[k], b = corners[(k + 1) % corners.size()];
+        const auto& [one, other] = faces_of_edge_.at(edge_key(a, b));
+        if (one != other) continue;
+        fail_at_face(from_[face],
+                     fmt::format("the surface is open, and a solid's is closed: {} has no neighbour at its "
+                                 "edge {} in the file{}; \"weld\" joins corners that are near",
+                                 the_face(from_[face]), the_edge(a, b),
+                                 open > 1 ? fmt::format(", and there are {} such edges", open) : ""));
+      }
+    }
   }
 
   bool runs_along(Index face, Index a, Index b) const {
@@ -185,6 +213,14 @@ class ClothMaker {
     for (std::size_t k = 0; k < corners.size(); ++k)
       if (corners[k] == a && corners[(k + 1) % corners.size()] == b) return true;
     return false;
+  }
+
+  [[noreturn]] void report_one_sided(Index face, Index a, Index b) const {
+    fail_at_face(
+        from_[face],
+        fmt::format("the surface has one side only, as a Möbius strip has, and so no inside: seen at "
+                    "the edge {} in the file",
+                    the_edge(a, b)));
   }
 
   // From the first face of each piece on, neighbours are turned to run along their edge the other way.
@@ -206,7 +242,10 @@ class ClothMaker {
           const Index a = corners[k], b = corners[(k + 1) % corners.size()];
           const auto [one, other] = faces_of_edge_.at(edge_key(a, b));
           const Index beside = one == face ? other : one;
-          if (seen[beside]) continue;
+          if (seen[beside]) {
+            if (!is_cloth() && runs_along(beside, a, b)) report_one_sided(face, a, b);
+            continue;
+          }
           seen[beside] = true;
           next.push(beside);
           if (!runs_along(beside, a, b)) continue;
@@ -257,7 +296,7 @@ class ClothMaker {
 
   void tell() {
     const auto note = [&](std::string text) { notes_.push_back(fmt::format("{}: {}", spec_.file, text)); };
-    if (made_.pieces > 1)
+    if (made_.pieces > 1 && is_cloth())
       note(
           fmt::format("it is in {} pieces, which nothing holds together: were they to be one, \"weld\" joins "
                       "corners that are near",
@@ -277,6 +316,7 @@ class ClothMaker {
 
   const RawMesh& raw_;
   const MeshSpec& spec_;
+  MeshUse use_;
   std::vector<std::string>& notes_;
   std::vector<Vec3> places_;       // m, of the file's vertices
   std::vector<Index> stands_for_;  // of each vertex, the first one that is welded with it
@@ -288,8 +328,9 @@ class ClothMaker {
 
 }  // namespace
 
-MeshData cloth_of_mesh(const RawMesh& raw, const MeshSpec& spec, std::vector<std::string>& notes) {
-  return ClothMaker(raw, spec, notes).make();
+PlacedMesh placed_mesh(const RawMesh& raw, const MeshSpec& spec, MeshUse use,
+                       std::vector<std::string>& notes) {
+  return ClothMaker(raw, spec, use, notes).make();
 }
 
 }  // namespace taut

@@ -108,7 +108,7 @@ bool masses_are_sound(const std::vector<Problem>& problems) {
     return problem.section == "chain" || problem.section == "sheet" || problem.section == "mass" ||
            problem.section == "mesh" || problem.section == "points" || problem.section == "ragdoll" ||
            problem.section == "plane" || problem.section == "sphere" || problem.section == "capsule" ||
-           problem.section == "box";
+           problem.section == "box" || problem.section == "solid";
   });
 }
 

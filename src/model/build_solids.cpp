@@ -21,6 +21,10 @@ Box shape_of(const BoxSpec& spec) {
   return {spec.centre, 0.5 * spec.size, turned(spec.turn)};
 }
 
+MeshSolid shape_of(const MeshSolidSpec& spec) {
+  return {spec.data->mesh, spec.data->middle, Eigen::Matrix3d::Identity()};
+}
+
 // What a solid turns about and is carried by, unless said otherwise.
 Vec3 centre_of(const PlaneSpec& spec) {
   return spec.point;
@@ -33,6 +37,9 @@ Vec3 centre_of(const CapsuleSpec& spec) {
 }
 Vec3 centre_of(const BoxSpec& spec) {
   return spec.centre;
+}
+Vec3 centre_of(const MeshSolidSpec& spec) {
+  return spec.position;
 }
 
 Path turning_path(const std::vector<std::array<double, 2>>& angles) {
@@ -141,15 +148,17 @@ void add_solids(Builder& builder, const Description& description) {
   add_colliders(builder, description.spheres);
   add_colliders(builder, description.capsules);
   add_colliders(builder, description.boxes);
+  add_colliders(builder, description.mesh_solids);
 }
 
 // In the order in which add_solids() has them.
 SectionEntry solid_entry(const Description& description, std::size_t collider) {
-  const std::array<std::pair<std::string_view, std::size_t>, 4> sections{{
+  const std::array<std::pair<std::string_view, std::size_t>, 5> sections{{
       {"plane", description.planes.size()},
       {"sphere", description.spheres.size()},
       {"capsule", description.capsules.size()},
       {"box", description.boxes.size()},
+      {"solid", description.mesh_solids.size()},
   }};
   for (const auto& [section, count] : sections) {
     if (collider < count) return {section, collider};

@@ -66,6 +66,11 @@ void check_box(Checker& check, const BoxSpec& box) {
   check_touch(check, box);
 }
 
+void check_mesh_solid(Checker& check, const MeshSolidSpec& solid) {
+  check.require(solid.data != nullptr, "file", "the solid's mesh has not been read");
+  check_touch(check, solid);
+}
+
 void check_wind(Checker& check, const WindSpec& wind) {
   check.enter("wind", 0);
   check.finite(wind.velocity, "velocity");
@@ -83,6 +88,7 @@ void check_surroundings(Checker& check, const Description& description) {
   check_each(check, "sphere", description.spheres, check_sphere);
   check_each(check, "capsule", description.capsules, check_capsule);
   check_each(check, "box", description.boxes, check_box);
+  check_each(check, "solid", description.mesh_solids, check_mesh_solid);
   if (description.wind) check_wind(check, *description.wind);
 }
 

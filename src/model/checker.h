@@ -125,6 +125,7 @@ class Checker {
     add(description.spheres);
     add(description.capsules);
     add(description.boxes);
+    add(description.mesh_solids);
   }
 
   std::vector<Problem> problems;

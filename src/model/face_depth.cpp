@@ -5,6 +5,8 @@
 #include <limits>
 
 #include "model/face_pairs.h"
+#include "model/mesh_depth.h"
+#include "model/solid_mesh.h"
 
 namespace taut {
 namespace {
@@ -81,13 +83,16 @@ bool may_be_within(double reach, const Shape& shape, const std::array<Vec3, 3>& 
   const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
   double radius = 0.0;
   for (const Vec3& corner : corners) radius = std::max(radius, (corner - middle).norm());
-  return nearest_surface(shape, middle).distance < reach + radius;
+  return surface_within(shape, middle, reach + radius).has_value();
 }
 
 // The distance from a convex solid, negative inside, is a convex function of the place. Where at the middle
 // of the triangle it is the mean of those at the corners, it is linear on all of it; else its least value is
 // looked for on lines from one side to the corner across, each of which has one.
 double least_distance(const Shape& shape, const std::array<Vec3, 3>& corners) {
+  if (const auto* solid = std::get_if<MeshSolid>(&shape))
+    return least_distance(*solid->mesh,
+                          {solid->back(corners[0]), solid->back(corners[1]), solid->back(corners[2])});
   const auto distance = [&](const Vec3& place) { return nearest_surface(shape, place).distance; };
   const std::array at{distance(corners[0]), distance(corners[1]), distance(corners[2])};
   const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;

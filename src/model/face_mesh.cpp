@@ -4,6 +4,8 @@
 #include <numeric>
 #include <utility>
 
+#include "model/solid_mesh.h"
+
 namespace taut {
 namespace {
 
@@ -51,6 +53,16 @@ void add_solid(FaceMesh& mesh, const Box& box, std::uint32_t group) {
       mesh.triangles.push_back({d, c, b});
     }
   }
+}
+
+// Where the surface is bent inwards over an edge, nothing strikes it before it strikes the triangles there.
+void add_solid(FaceMesh& mesh, const MeshSolid& solid, std::uint32_t group) {
+  const std::uint32_t first = mesh.size();
+  for (const Vec3& vertex : solid.mesh->vertices()) add_solid_node(mesh, solid.place(vertex), 0.0, group);
+  for (const SolidMesh::Edge& edge : solid.mesh->edges())
+    if (edge.ridge) add_solid_edge(mesh, first + edge.ends[0], first + edge.ends[1]);
+  for (const auto& [a, b, c] : solid.mesh->triangles())
+    mesh.triangles.push_back({first + a, first + b, first + c});
 }
 
 // A number's bits with a free one before each.

@@ -88,42 +88,76 @@ class PairSearch {
  public:
   PairSearch(const FaceMesh& mesh, const WholeFaces& whole, const std::vector<Vec3>& places,
              const std::vector<double>& rooms)
-      : mesh_(mesh), whole_(whole), places_(places), rooms_(rooms) {}
+      : mesh_(mesh), whole_(whole), places_(places), rooms_(rooms) {
+    for (std::uint32_t node = 0; node < mesh_.mass.size(); ++node)
+      sheets_.take_in(bounds_of(std::array{node}));
+  }
 
   void points_with_triangles(std::vector<KeyedPair>& found, std::size_t most) {
-    bounds_.clear();
-    for (const std::uint32_t point : whole_.points) bounds_.push_back(bounds_of(std::array{point}));
-    BoxTree points;
-    points.fill(bounds_);
-    bounds_.clear();
-    for (const std::uint32_t triangle : whole_.triangles)
-      bounds_.push_back(bounds_of(mesh_.triangles[triangle]));
-    tree_.fill(bounds_);
-    points.visit_pairs(tree_, [&](std::uint32_t i, std::uint32_t j) {
-      const std::uint32_t point = whole_.points[i], triangle = whole_.triangles[j];
-      const auto [a, b, c] = mesh_.triangles[triangle];
-      if (point == a || point == b || point == c || found.size() > most) return;
-      if (const double distance = near_enough({{point, a, b, c}, false}); distance < too_far)
-        found.push_back(keyed(point, triangle, distance));
-    });
+    const auto points = [](std::uint32_t point) { return std::array{point}; };
+    const auto triangles = [this](std::uint32_t triangle) { return mesh_.triangles[triangle]; };
+    const Parts sheet_points = parts(whole_.points, points, false),
+                solid_points = parts(whole_.points, points, true),
+                sheet_triangles = parts(whole_.triangles, triangles, false),
+                solid_triangles = parts(whole_.triangles, triangles, true);
+    const auto among = [&](const Parts& of_points, const Parts& of_triangles) {
+      of_points.tree.visit_pairs(of_triangles.tree, [&](std::uint32_t i, std::uint32_t j) {
+        const std::uint32_t point = of_points.numbers[i], triangle = of_triangles.numbers[j];
+        const auto [a, b, c] = mesh_.triangles[triangle];
+        if (point == a || point == b || point == c || found.size() > most) return;
+        if (const double distance = near_enough({{point, a, b, c}, false}); distance < too_far)
+          found.push_back(keyed(point, triangle, distance));
+      });
+    };
+    among(sheet_points, sheet_triangles);
+    among(sheet_points, solid_triangles);
+    among(solid_points, sheet_triangles);
     std::ranges::sort(found);
   }
 
   void edges_with_edges(std::vector<KeyedPair>& found, std::size_t most) {
-    bounds_.clear();
-    for (const std::uint32_t edge : whole_.edges) bounds_.push_back(bounds_of(mesh_.edges[edge].nodes));
-    tree_.fill(bounds_);
-    tree_.visit_pairs([&](std::uint32_t i, std::uint32_t j) {
-      const auto [a, b] = mesh_.edges[whole_.edges[i]].nodes;
-      const auto [c, d] = mesh_.edges[whole_.edges[j]].nodes;
+    const auto edges = [this](std::uint32_t edge) { return mesh_.edges[edge].nodes; };
+    const Parts sheet_edges = parts(whole_.edges, edges, false),
+                solid_edges = parts(whole_.edges, edges, true);
+    const auto take = [&](std::uint32_t one, std::uint32_t other) {
+      const auto [a, b] = mesh_.edges[one].nodes;
+      const auto [c, d] = mesh_.edges[other].nodes;
       if (a == c || a == d || b == c || b == d || found.size() > most) return;
       if (const double distance = near_enough({{a, b, c, d}, true}); distance < too_far)
-        found.push_back(keyed(whole_.edges[i], whole_.edges[j], distance));
+        found.push_back(keyed(one, other, distance));
+    };
+    sheet_edges.tree.visit_pairs(
+        [&](std::uint32_t i, std::uint32_t j) { take(sheet_edges.numbers[i], sheet_edges.numbers[j]); });
+    sheet_edges.tree.visit_pairs(solid_edges.tree, [&](std::uint32_t i, std::uint32_t j) {
+      take(sheet_edges.numbers[i], solid_edges.numbers[j]);
     });
     std::ranges::sort(found);
   }
 
  private:
+  // Some points, edges or triangles in a tree of the boxes around them, and which they are.
+  struct Parts {
+    BoxTree tree;
+    std::vector<std::uint32_t> numbers;
+  };
+
+  // Those of sheets or of solids, which do not meet each other; of these only what is near sheets at all.
+  template <class Nodes>
+  Parts parts(const std::vector<std::uint32_t>& all, const Nodes& nodes_of, bool of_solids) {
+    Parts taken;
+    bounds_.clear();
+    for (const std::uint32_t part : all) {
+      const auto nodes = nodes_of(part);
+      if (mesh_.of_solid(nodes[0]) != of_solids) continue;
+      const Bounds bounds = bounds_of(nodes);
+      if (of_solids && !bounds.meets(sheets_)) continue;
+      bounds_.push_back(bounds);
+      taken.numbers.push_back(part);
+    }
+    taken.tree.fill(bounds_);
+    return taken;
+  }
+
   // Around the balls of some nodes, and what is kept free around them.
   template <std::size_t count>
   Bounds bounds_of(const std::array<std::uint32_t, count>& nodes) const {
@@ -153,7 +187,7 @@ class PairSearch {
   const WholeFaces& whole_;
   const std::vector<Vec3>& places_;
   const std::vector<double>& rooms_;
-  BoxTree tree_;
+  Bounds sheets_;  // around all of them
   std::vector<Bounds> bounds_;
 };
 

@@ -21,18 +21,21 @@ void find_starts_inside(const Builder& builder, const Description& description,
   const Model& model = builder.model;
   const double allowed = noticeable * scene_size(model, builder.start);
   for (std::size_t i = 0; i < model.colliders.size(); ++i) {
-    if (!model.colliders[i].motion) continue;
-    const Shape shape = shape_at(model.colliders[i], 0.0);
+    const Collider& collider = model.colliders[i];
+    if (!collider.motion && !std::holds_alternative<MeshSolid>(collider.shape)) continue;
+    const Shape shape = shape_at(collider, 0.0);
     for (const ContactPoint& point : model.contacts) {
       if (is_held(model, point)) continue;
-      const double depth =
-          point.radius - nearest_surface(shape, value_at(point, builder.start.position)).distance;
+      const std::optional<Surface> surface =
+          surface_within(shape, value_at(point, builder.start.position), point.radius);
+      const double depth = surface ? point.radius - surface->distance : 0.0;
       if (!(depth > allowed)) continue;
       const auto [section, index] = solid_entry(description, i);
-      problems.push_back({std::string(section), index, "",
-                          fmt::format("it moves, and at the start \"{}\" is {:.4g} m inside it",
-                                      model.masses.name[point.masses[0]], depth),
-                          ""});
+      problems.push_back(
+          {std::string(section), index, "",
+           fmt::format("{}at the start \"{}\" is {:.4g} m inside it", collider.motion ? "it moves, and " : "",
+                       model.masses.name[point.masses[0]], depth),
+           ""});
       break;  // one tells of its kind
     }
   }

@@ -157,7 +157,8 @@ double deepest_penetration(const Model& model, const State& state) {
   for (const ContactPoint& point : model.contacts) {
     const Vec3 place = value_at(point, state.position);
     for (const Shape& shape : shapes)
-      deepest = std::max(deepest, point.radius - nearest_surface(shape, place).distance);
+      if (const std::optional<Surface> surface = surface_within(shape, place, point.radius))
+        deepest = std::max(deepest, point.radius - surface->distance);
   }
   return deepest;
 }

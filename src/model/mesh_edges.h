@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "model/mesh_data.h"
+#include "model/mesh_triangles.h"
 
 namespace taut {
 
@@ -42,9 +43,5 @@ struct StraightPair {
 /// Of the edges at each vertex those that go on from each other, each at most once: the straightest first,
 /// and none that turn by more than 45°. On a grid those are the warp and the weft.
 std::vector<StraightPair> straight_pairs(const MeshData& mesh, const MeshEdges& edges);
-
-/// How each face is cut into triangles, by its corners: one of a triangle, two of a quad, along its shorter
-/// diagonal, or the one that lies within.
-std::vector<std::array<Index, 3>> triangles_of(const MeshData& mesh, std::size_t face);
 
 }  // namespace taut

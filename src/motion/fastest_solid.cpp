@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/solid_mesh.h"
+
 namespace taut {
 namespace {
 
@@ -39,6 +41,10 @@ class Reach {
     return std::max((capsule.a - about_).norm(), (capsule.b - about_).norm()) + capsule.radius;
   }
   double operator()(const Box& box) const { return (box.centre - about_).norm() + box.half_size.norm(); }
+  double operator()(const MeshSolid& solid) const {
+    const Bounds& own = solid.mesh->bounds();
+    return (solid.place(0.5 * (own.low + own.high)) - about_).norm() + 0.5 * (own.high - own.low).norm();
+  }
   // A plane has no end: as far as masses are, and their links.
   double operator()(const HalfSpace& /*plane*/) const {
     double farthest = 0.0;

@@ -44,6 +44,8 @@ constexpr std::array box_attributes{
     Attribute{3, GL_FLOAT, offsetof(BoxRecord, edges) + sizeof(glm::vec3)},
     Attribute{3, GL_FLOAT, offsetof(BoxRecord, edges) + 2 * sizeof(glm::vec3)},
     Attribute{4, GL_UNSIGNED_BYTE, offsetof(BoxRecord, colour)}};
+constexpr std::array solid_attributes{Attribute{3, GL_FLOAT, offsetof(SolidVertex, position)},
+                                      Attribute{3, GL_FLOAT, offsetof(SolidVertex, normal)}};
 constexpr GLsizei corners_of_a_box = 36;
 
 // How many sides a round thing may have.
@@ -302,6 +304,45 @@ void TorsoPainter::draw(Pass pass) const {
     skin.triangles.bind();
     gl_->draw_elements_instanced(GL_TRIANGLES, skin.triangles.count(), GL_UNSIGNED_INT, nullptr,
                                  skin.torsos.count());
+  }
+}
+
+SolidPainter::Stored::Stored(const Gl& gl, const std::shared_ptr<const SolidSurface>& of)
+    : surface(of),
+      array(make_vertex_array(gl)),
+      vertices(gl, array, sizeof(SolidVertex), solid_attributes, 0),
+      triangles(gl) {
+  vertices.upload(std::span(of->vertices));
+  triangles.upload(std::span(of->triangles));
+}
+
+SolidPainter::SolidPainter(const Gl& gl, const ShaderLibrary& library, const Defines& defines)
+    : gl_(&gl), programs_(gl, library, {"solid.vert", "body.frag", "nothing.frag"}, defines) {}
+
+void SolidPainter::upload(const std::vector<MeshRecord>& meshes) {
+  drawn_ = meshes;
+  which_.clear();
+  for (const MeshRecord& mesh : drawn_) {
+    const auto known = std::ranges::find(stored_, mesh.surface, &Stored::surface);
+    which_.push_back(static_cast<std::size_t>(known - stored_.begin()));
+    if (known == stored_.end()) stored_.emplace_back(*gl_, mesh.surface);
+  }
+}
+
+void SolidPainter::draw(Pass pass) const {
+  const Program& program = program_for(programs_, pass);
+  for (std::size_t i = 0; i < drawn_.size(); ++i) {
+    const MeshRecord& mesh = drawn_[i];
+    const Stored& stored = stored_[which_[i]];
+    program.use();
+    program.set("centre", mesh.centre);
+    program.set("axis_x", mesh.axes[0]);
+    program.set("axis_y", mesh.axes[1]);
+    program.set("axis_z", mesh.axes[2]);
+    program.set("own_colour", glm::vec3(mesh.colour[0], mesh.colour[1], mesh.colour[2]) / 255.0F);
+    gl_->bind_vertex_array(stored.array.name());
+    stored.triangles.bind();
+    gl_->draw_elements(GL_TRIANGLES, stored.triangles.count(), GL_UNSIGNED_INT, nullptr);
   }
 }
 

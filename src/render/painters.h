@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -138,6 +139,32 @@ class TorsoPainter {
   PassPrograms programs_;
   Skin for_shadow_;  // a coarse one will do
   std::vector<Skin> skins_;
+};
+
+/// Draws solids out of meshes. Each one's mesh is uploaded once.
+class SolidPainter {
+ public:
+  SolidPainter(const Gl& gl, const ShaderLibrary& library, const Defines& defines);
+
+  void upload(const std::vector<MeshRecord>& meshes);
+  void draw(Pass pass) const;
+
+ private:
+  // A mesh as OpenGL has it.
+  struct Stored {
+    std::shared_ptr<const SolidSurface> surface;
+    GlObject array;
+    VertexStream vertices;
+    IndexStream triangles;
+
+    Stored(const Gl& gl, const std::shared_ptr<const SolidSurface>& surface);
+  };
+
+  const Gl* gl_;
+  PassPrograms programs_;
+  std::vector<Stored> stored_;
+  std::vector<MeshRecord> drawn_;
+  std::vector<std::size_t> which_;  // of those stored, each that is drawn
 };
 
 /// Draws boxes.

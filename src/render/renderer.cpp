@@ -119,6 +119,7 @@ class Renderer::Drawing {
   RodPainter rods_;
   TorsoPainter torsos_;
   BoxPainter boxes_;
+  SolidPainter meshes_;
   LinesPainter lines_;
   Backdrop backdrop_;
   std::deque<Submitted> submitted_;  // and not fetched yet
@@ -138,6 +139,7 @@ Renderer::Drawing::Drawing(const GlContext& context, const Look& look, const Ren
       rods_(gl_, library_, defines_of(settings, look)),
       torsos_(gl_, library_, defines_of(settings, look)),
       boxes_(gl_, library_, defines_of(settings, look)),
+      meshes_(gl_, library_, defines_of(settings, look)),
       lines_(gl_, library_, defines_of(settings, look)),
       backdrop_(gl_, library_, settings.size, settings.transparent, settings.bits) {
   if (look.colour_by != ColourBy::plain) font_ = Font::load();
@@ -189,6 +191,7 @@ void Renderer::Drawing::upload(const Geometry& geometry) {
   rods_.upload(geometry.bodies.rods, pixel_height(geometry.pose, settings_.size));
   torsos_.upload(geometry.bodies.torsos, pixel_height(geometry.pose, settings_.size));
   boxes_.upload(geometry.bodies.boxes);
+  meshes_.upload(geometry.bodies.meshes);
   lines_.upload(geometry.lines, pixel_height(geometry.pose, settings_.size));
 }
 
@@ -213,6 +216,7 @@ void Renderer::Drawing::draw_shadow_map(const Geometry& geometry) {
   rods_.draw(Pass::shadow);
   torsos_.draw(Pass::shadow);
   boxes_.draw(Pass::shadow);
+  meshes_.draw(Pass::shadow);
   gl_.disable(GL_POLYGON_OFFSET_FILL);
   shadow_map_->bind_for_reading();
   if (geometry.surface.vertices.empty()) return;
@@ -254,6 +258,7 @@ void Renderer::Drawing::draw_opaque(const Geometry& geometry) const {
   rods_.draw(Pass::colour);
   torsos_.draw(Pass::colour);
   boxes_.draw(Pass::colour);
+  meshes_.draw(Pass::colour);
   lines_.draw_solid();
   gl_.disable(GL_CULL_FACE);
 }

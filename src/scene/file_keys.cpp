@@ -1,6 +1,7 @@
 #include "object_section.h"
 #include "physics_facts.h"
 #include "section.h"
+#include "solid_keys.h"
 
 namespace taut {
 namespace {
@@ -30,6 +31,25 @@ Keys<T> placing_keys() {
               .range = between(-360, 360),
               .help = "about x, then y, then z, through the origin of the file"}),
   };
+}
+
+// How large what a mesh's file holds is, and which way up.
+template <class T>
+Keys<T> size_keys() {
+  return {
+      key<T>("scale", &T::scale,
+             {.unit = "m", .range = above_to(0, far), .help = "that 1 in the file stands for"}),
+      key<T>("up", &T::up, {.help = "the axis of the file that points upwards"}),
+  };
+}
+
+template <class T>
+Key<T> weld_key() {
+  return key<T>("weld", &T::weld,
+                {.unit = "m",
+                 .range = between(0, far),
+                 .fallback = "a millionth of its size",
+                 .help = "corners as near as this are one"});
 }
 
 template <class T>
@@ -81,18 +101,8 @@ Keys<MeshSpec> mesh_keys() {
              key<MeshSpec>("shares", &MeshSpec::shares,
                            {.help = "area: each mass has a third of the triangles around it; equal: all have "
                                     "the same"}),
-             key<MeshSpec>("scale", &MeshSpec::scale,
-                           {.unit = "m", .range = above_to(0, far), .help = "that 1 in the file stands for"}),
-             key<MeshSpec>("up", &MeshSpec::up, {.help = "the axis of the file that points upwards"}),
          } +
-         placing_keys<MeshSpec>() +
-         Keys<MeshSpec>{
-             key<MeshSpec>("weld", &MeshSpec::weld,
-                           {.unit = "m",
-                            .range = between(0, far),
-                            .fallback = "a millionth of its size",
-                            .help = "corners as near as this are one"}),
-         } +
+         size_keys<MeshSpec>() + placing_keys<MeshSpec>() + Keys<MeshSpec>{weld_key<MeshSpec>()} +
          pin_keys() + contact_keys<MeshSpec>() + link_property_keys<MeshSpec>(&MeshSpec::properties) +
          Keys<MeshSpec>{
              key<MeshSpec>("diagonals", &MeshSpec::diagonals,
@@ -113,6 +123,17 @@ Keys<MeshSpec> mesh_keys() {
                   .help = "lets its triangles touch: solids, one another, and those of other sheets and "
                           "meshes; a scene whose faces start nearer than their thickness is refused"}),
          };
+}
+
+Keys<MeshSolidSpec> mesh_solid_keys() {
+  return Keys<MeshSolidSpec>{
+             key<MeshSolidSpec>("file", &MeshSolidSpec::file,
+                                named("an .obj, .ply or .stl file, from the folder of the scene on: a closed "
+                                      "surface")),
+             content_key<MeshSolidSpec>(),
+         } +
+         size_keys<MeshSolidSpec>() + placing_keys<MeshSolidSpec>() +
+         Keys<MeshSolidSpec>{weld_key<MeshSolidSpec>()} + touch_keys<MeshSolidSpec>();
 }
 
 Keys<PointsSpec> points_keys() {
@@ -151,6 +172,9 @@ std::vector<Section> file_sections() {
                                mesh_keys(), mesh_look, &Description::meshes, &ObjectLooks::meshes),
       object_section<PointsSpec>("points", "Masses and links out of tables.", points_keys(), points_look,
                                  &Description::points, &ObjectLooks::points),
+      object_section<MeshSolidSpec>(
+          "solid", "A solid out of a mesh file, a closed surface that no mass can enter.", mesh_solid_keys(),
+          solid_look, &Description::mesh_solids, &ObjectLooks::mesh_solids),
   };
 }
 

@@ -219,7 +219,8 @@ Scene parse_scene(const std::string& text, const std::string& file, const SceneO
     reader.begin_entry(problem.section, problem.index);
     reader.unreadable(origin_of(document, problem), problem.message);
   }
-  if (!scene.description.meshes.empty() || !scene.description.points.empty())
+  if (!scene.description.meshes.empty() || !scene.description.points.empty() ||
+      !scene.description.mesh_solids.empty())
     scene.folder = std::filesystem::absolute(folder / ".").lexically_normal().string();
   if (before_building && reader.count() == 0) before_building(count(scene.description));
   build_scene(document, scene, reader);

@@ -36,6 +36,16 @@ std::vector<Problem> read_files(Description& description, const std::filesystem:
       problems.push_back({"mesh", i, "file", problem.what(), {}});
     }
   }
+  for (std::size_t i = 0; i < description.mesh_solids.size(); ++i) {
+    MeshSolidSpec& solid = description.mesh_solids[i];
+    try {
+      SolidReading reading = read_solid(folder / solid.file, solid);
+      for (std::string& note : reading.notes) notes.push_back({"solid", i, "file", std::move(note), {}});
+      take(solid, std::move(reading), solid.file);
+    } catch (const BadRequest& problem) {
+      problems.push_back({"solid", i, "file", problem.what(), {}});
+    }
+  }
   for (std::size_t i = 0; i < description.points.size(); ++i) {
     PointsSpec& points = description.points[i];
     try {

@@ -1,27 +1,9 @@
 #include "object_section.h"
 #include "physics_facts.h"
+#include "solid_keys.h"
 
 namespace taut {
 namespace {
-
-template <class T>
-Keys<T> touch_keys() {
-  return {
-      key<T>("name", [](auto& t) -> auto& { return t.moves.name; }, {.help = "for pins that it carries"}),
-      key<T>("motion", [](auto& t) -> auto& { return t.moves.motion; },
-             {.fallback = "stays",
-              .help = "how it is moved: where the first of its places is at which time; friction carries "
-                      "along what touches it"}),
-      key<T>("rotation", [](auto& t) -> auto& { return t.moves.rotation; },
-             {.fallback = "stays", .help = "how it is turned, beside its motion"}),
-      key<T>("friction", &T::friction, {.range = between(0, 100), .help = "Coulomb's coefficient"}),
-      key<T>("restitution", &T::restitution,
-             {.range = between(0, 1), .help = "share of the speed of approach that is given back"}),
-  };
-}
-
-constexpr LookFacts solid_look{.visible = "whether it is drawn; it is there all the same",
-                               .colour = "of the solid"};
 
 Keys<PlaneSpec> plane_keys() {
   return Keys<PlaneSpec>{

@@ -63,6 +63,25 @@ TEST_F(MeshTest, AChangedFileIsAnotherScene) {
   EXPECT_NE(changed.err.find("files/square.obj: it has changed"), std::string::npos) << changed.err;
 }
 
+// A scene whose only file is a solid's.
+TEST_F(MeshTest, AMotionOverASolidIsDrawnFromAnywhereAndIsOfItsFile) {
+  folder_.write("scenes/files/roof.obj",
+                "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+  folder_.write("scenes/square.toml",
+                "[world]\nduration = 0.3\n[solve]\nmethod = \"xpbd\"\nsteps_per_second = 200\n"
+                "[[mass]]\nname = \"ball\"\nposition = [0.1, 2.0, 0.1]\nradius = 0.1\n"
+                "[[solid]]\nfile = \"files/roof.obj\"\n");
+  ASSERT_EQ(run({"simulate", "scenes/square.toml", "-o", folder_ / "motion", "--fps", "10"}).status, 0);
+  const Words drawing{"render", "--motion", folder_ / "motion", "-o", folder_ / "seen", "--size", "64x48"};
+  const Ran drawn = taut(drawing, {}, "/");
+  EXPECT_EQ(drawn.status, 0) << drawn.err;
+  folder_.write("scenes/files/roof.obj",
+                "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+  const Ran changed = taut(drawing, {}, "/");
+  EXPECT_NE(changed.status, 0);
+  EXPECT_NE(changed.err.find("files/roof.obj: it has changed"), std::string::npos) << changed.err;
+}
+
 TEST_F(MeshTest, AMotionIsDrawnFromAnywhere) {
   ASSERT_EQ(run({"simulate", "scenes/square.toml", "-o", folder_ / "motion", "--fps", "10"}).status, 0);
   const Ran drawn =

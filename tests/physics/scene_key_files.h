@@ -34,7 +34,17 @@ inline std::map<std::string, std::string> key_file_scenes() {
       "4.0]\nto = 0.3\n";
   const std::string pulled_net =
       "stiffness = 100.0\n[[load]]\nmasses = [\"net.d\"]\nforce = [8.0, -4.0, 4.0]\nto = 0.3\n";
+  const std::string block =
+      "[[mass]]\nname = \"on_it\"\nposition = [0.47, 0.56, 0.0]\nvelocity = [0.2, 0.0, 0.0]\nradius = "
+      "0.05\n[[solid]]\nfile = \"FILES/block.obj\"\n";
   return {
+      {"solid", block},
+      {"solid that swings",
+       block + "motion = { amplitude = [0.02, 0.01, 0.0], angular_frequency = 9.0, phase = 0.1 }\n"
+               "rotation = { axis = [0.0, 1.0, 0.0], rate = 20.0, rise = 0.1 }\n"},
+      {"solid that is led", block +
+                                "motion = { path = [[0.0, 0.0, 0.0, 0.0], [0.3, 0.1, 0.0, 0.0]] }\n"
+                                "rotation = { axis = [0.0, 0.0, 1.0], angle = [[0.0, 0.0], [0.3, 5.0]] }\n"},
       {"mesh", mesh + "pinned_masses = [0]\nLINKS\n"},
       {"welded mesh", mesh + "pinned_masses = [0]\nLINKS\n"},
       {"springy mesh", soft_mesh("")},
@@ -108,6 +118,26 @@ inline void add_file_cases(std::map<std::string, KeyCase>& all) {
   all["mesh.motion.phase"] = {"moved mesh", "0.02", ""};
   all["mesh.motion.path"] = {"led mesh", "[[0.0, 0.0, 2.0, 0.0], [0.3, 0.0, 2.0, 0.2]]", ""};
   all["mesh.motion.with"] = {"carried mesh", "wheel", ""};
+  all["solid.file"] = {"solid", "FILES/other-block.obj", ""};
+  all["solid.scale"] = {"solid", "0.99", ""};
+  all["solid.up"] = {"solid", "z", ""};
+  all["solid.position"] = {"solid", "[0.0, -0.01, 0.0]", ""};
+  all["solid.turn"] = {"solid", "[0.0, 0.0, -5.0]", ""};
+  all["solid.weld"] = {"solid", "0.08", ""};
+  all["solid.friction"] = {"solid", "0.1", ""};
+  all["solid.restitution"] = {"solid", "0.5", ""};
+  all["solid.motion"] = {"solid that swings", "{ amplitude = [0.03, 0.01, 0.0], angular_frequency = 9.0 }",
+                         ""};
+  all["solid.motion.amplitude"] = {"solid that swings", "[0.03, 0.01, 0.0]", ""};
+  all["solid.motion.angular_frequency"] = {"solid that swings", "8.0", ""};
+  all["solid.motion.phase"] = {"solid that swings", "0.2", ""};
+  all["solid.motion.path"] = {"solid that is led", "[[0.0, 0.0, 0.0, 0.0], [0.3, 0.2, 0.0, 0.0]]", ""};
+  all["solid.rotation"] = {"solid that swings", "{ axis = [0.0, 0.1, 1.0], rate = 20.0 }", ""};
+  all["solid.rotation.axis"] = {"solid that swings", "[0.1, 1.0, 0.2]", ""};
+  all["solid.rotation.through"] = {"solid that swings", "[0.1, 0.0, 0.1]", ""};
+  all["solid.rotation.rate"] = {"solid that swings", "40.0", ""};
+  all["solid.rotation.rise"] = {"solid that swings", "0.2", ""};
+  all["solid.rotation.angle"] = {"solid that is led", "[[0.0, 0.0], [0.3, 9.0]]", ""};
   all["points.masses"] = {"points", "FILES/other-masses.csv", ""};
   all["points.links"] = {"points", "FILES/other-links.csv", ""};
   all["points.position"] = {"points", "[0.0, 0.1, 0.0]", ""};

@@ -22,10 +22,10 @@ namespace {
 // Keys that are not about how things move; those of [solve] are the methods' own parameters.
 bool about_physics(const std::string& section, const std::string& key) {
   static const std::set<std::string> pictures{"camera", "look", "expect", "solve", ""};
-  static const std::set<std::string> labels{"chain.name",     "sheet.name",     "mass.name",  "ragdoll.name",
-                                            "world.duration", "world.accuracy", "plane.name", "sphere.name",
-                                            "capsule.name",   "box.name",       "mesh.name",  "mesh.content",
-                                            "points.name",    "points.content"};
+  static const std::set<std::string> labels{
+      "chain.name",  "sheet.name",     "mass.name",    "ragdoll.name", "world.duration", "world.accuracy",
+      "plane.name",  "sphere.name",    "capsule.name", "box.name",     "mesh.name",      "mesh.content",
+      "points.name", "points.content", "solid.name",   "solid.content"};
   static const std::set<std::string> looks{"visible", "colour", "back_colour", "draw"};
   return !pictures.contains(section) && !labels.contains(section + "." + key) && !looks.contains(key);
 }

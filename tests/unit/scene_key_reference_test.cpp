@@ -90,6 +90,8 @@ TEST(KeyReference, ListsEveryKeyOfEverySection) {
   EXPECT_EQ(keys_of("`[[plane]]`"), (Names{"point", "normal"} + solid));
   EXPECT_EQ(keys_of("`[[sphere]]`"), (Names{"centre", "radius"} + solid));
   EXPECT_EQ(keys_of("`[[capsule]]`"), (Names{"from", "to", "radius"} + solid));
+  EXPECT_EQ(keys_of("`[[solid]]`"),
+            (Names{"file", "content", "scale", "up", "position", "turn", "weld"} + solid));
   EXPECT_EQ(keys_of("`[[box]]`"), (Names{"centre", "size", "turn"} + solid));
   EXPECT_EQ(keys_of("`[wind]`"),
             (Names{"velocity", "gust", "gust_time", "seed", "density", "drag_coefficient"}));

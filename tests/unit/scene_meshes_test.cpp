@@ -10,7 +10,7 @@
 namespace taut {
 namespace {
 
-// A scene with every key of meshes and points.
+// A scene with every key of meshes, points and solids.
 const std::string everything_from_files = R"(
 [[mesh]]
 name = "cloth"
@@ -51,6 +51,20 @@ collides = true
 stiffness = 100
 break_tension = 5
 colour = "#ff0000"
+[[solid]]
+name = "roof"
+file = "roof.obj"
+scale = 0.5
+up = "z"
+position = [0.1, -7, 0.30000000000000004]
+turn = [10, 20, 30]
+weld = 1e-5
+friction = 0.3
+restitution = 0.1
+motion = { amplitude = [0, 0.1, 0], angular_frequency = 10, phase = 1e-300 }
+rotation = { axis = [0, 1, 0], rate = 20, rise = 0.3 }
+visible = false
+colour = "gold"
 [solve]
 method = "xpbd"
 )";
@@ -59,6 +73,7 @@ class SceneMeshes : public ::testing::Test {
  protected:
   void SetUp() override {
     folder_.write("square.obj", square_);
+    folder_.write("roof.obj", roof_);
     folder_.write("masses.csv", "name,x,y,z\na,0,0,0\nb,1,0,0\n");
     folder_.write("links.csv", "a,b,length\na,b,1.5\n");
   }
@@ -73,6 +88,7 @@ class SceneMeshes : public ::testing::Test {
   }
 
   const std::string square_ = "g left\nv 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nf 1 2 3\nf 1 3 4\n";
+  const std::string roof_ = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
   testing::TemporaryFolder folder_;
 };
 
@@ -97,6 +113,10 @@ TEST_F(SceneMeshes, AResolvedSceneIsOfItsFilesAsTheyWere) {
   folder_.write("square.obj", square_ + "\n");
   const std::string mesh = error_of(resolved);
   EXPECT_NE(mesh.find("square.obj: it has changed: its content is"), std::string::npos) << mesh;
+  folder_.write("square.obj", square_);
+  folder_.write("roof.obj", roof_ + "\n");
+  const std::string roof = error_of(resolved);
+  EXPECT_NE(roof.find("roof.obj: it has changed: its content is"), std::string::npos) << roof;
 }
 
 TEST_F(SceneMeshes, ErrorsPointAtTheSceneAndIntoTheFile) {
@@ -107,6 +127,8 @@ TEST_F(SceneMeshes, ErrorsPointAtTheSceneAndIntoTheFile) {
             "f.toml:3:1: bad.obj:8: the face has vertex 7, and there are 4 before it");
   EXPECT_EQ(error_of("[[mesh]]\nname = \"cloth\"\nfile = \"square.obj\"\npinned = [\"lefts\"]\n"),
             "f.toml:4:1: \"square.obj\" has no group or material named \"lefts\"");
+  EXPECT_EQ(error_of("[[solid]]\nfile = \"square.obj\"\n").substr(0, 56),
+            "f.toml:2:1: square.obj:6: the surface is open, and a sol");
   EXPECT_EQ(error_of("[[points]]\nname = \"net\"\nmasses = \"square.obj\"\n"),
             "f.toml:3:1: square.obj:1:1: there is no column \"g left\" here");
 }

@@ -4,6 +4,8 @@
 #include <array>
 #include <numeric>
 
+#include "model/solid_mesh.h"
+
 namespace taut {
 namespace {
 
@@ -28,6 +30,11 @@ Bounds ColliderTree::box_around(const Shape& shape) {
   } else if (const auto* box = std::get_if<Box>(&shape)) {
     const Vec3 half_size = box->axes.cwiseAbs() * box->half_size;
     around = {box->centre - half_size, box->centre + half_size};
+  } else if (const auto* solid = std::get_if<MeshSolid>(&shape)) {
+    const Bounds& own = solid->mesh->bounds();
+    const Vec3 middle = solid->place(0.5 * (own.low + own.high));
+    const Vec3 half_size = solid->axes.cwiseAbs() * (0.5 * (own.high - own.low));
+    around = {middle - half_size, middle + half_size};
   }
   const Vec3 slack = 1e-9 * (around.low.cwiseAbs() + around.high.cwiseAbs() + Vec3::Ones());
   return {around.low - slack, around.high + slack};

@@ -2,15 +2,38 @@
 
 #include <algorithm>
 
+#include "model/solid_mesh.h"
+
 namespace taut {
 namespace {
 
 constexpr double reach_ahead = 0.02;  // m, that links may push something within a step
+// Of a solid with hollows: pushes in a pass beyond the first, and of the depth of that what is worth one.
+constexpr int most_sides = 4;
+constexpr double noticeable_depth = 1e-3;
 
 std::vector<Shape> shapes_of(const Model& model) {
   std::vector<Shape> shapes;
   for (const Collider& collider : model.colliders) shapes.push_back(collider.shape);
   return shapes;
+}
+
+bool is_thin(const Collider& collider) {
+  return std::holds_alternative<MeshSolid>(collider.shape);
+}
+
+// How far (m) any place of a solid goes from one placement to another: no place farther than a corner of the
+// box around it.
+double farthest_way(const MeshSolid& solid, const Placement& start, const Placement& end) {
+  const Bounds& own = solid.mesh->bounds();
+  double farthest = 0.0;
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    const Vec3 at = solid.place({(corner & 1U) != 0 ? own.low.x() : own.high.x(),
+                                 (corner & 2U) != 0 ? own.low.y() : own.high.y(),
+                                 (corner & 4U) != 0 ? own.low.z() : own.high.z()});
+    farthest = std::max(farthest, (end.place(at) - start.place(at)).norm());
+  }
+  return farthest;
 }
 
 std::vector<std::uint32_t> solids_that(bool move, const Model& model) {
@@ -28,7 +51,8 @@ ContactSolver::ContactSolver(const Model& model)
       ground_(model),
       shapes_(shapes_of(model)),
       moving_(solids_that(true, model)),
-      still_solids_(shapes_, solids_that(false, model)) {
+      still_solids_(shapes_, solids_that(false, model)),
+      any_thin_(std::ranges::any_of(model.colliders, is_thin)) {
   if (touches_only_ground(model)) return;  // which is ground_'s
   for (std::uint32_t i = 0; i < points_.size(); ++i)
     if (points_.weight(i) > 0.0) touching_.push_back(i);
@@ -42,11 +66,14 @@ bool ContactSolver::solves(const Pair& pair) const {
 void ContactSolver::move_solids(double start_time, double end_time) {
   if (moving_.empty()) return;
   rides_.clear();
+  thin_way_ = 0.0;
   for (const std::uint32_t i : moving_) {
     const SolidMotion& motion = *model_.colliders[i].motion;
     rides_.push_back({i, placement_at(motion, start_time), placement_at(motion, end_time),
                       twist_at(motion, start_time), twist_at(motion, end_time)});
     shapes_[i] = moved(model_.colliders[i].shape, rides_.back().end);
+    if (const auto* solid = std::get_if<MeshSolid>(&model_.colliders[i].shape))
+      thin_way_ = std::max(thin_way_, farthest_way(*solid, rides_.back().start, rides_.back().end));
   }
   moving_solids_.emplace(shapes_, moving_);
 }
@@ -64,6 +91,15 @@ Vec3 ContactSolver::moved_since_start(const Pair& pair, const Vectors& position)
   return ride == nullptr ? moved : Vec3(moved - (x - ride->start.place(ride->end.back(x))));
 }
 
+// The surface of a solid as a point meets it that was somewhere, as seen from the solid, when the step began.
+std::optional<Surface> ContactSolver::surface_at(const Pair& pair, const Vec3& x, double reach) const {
+  const Shape& shape = shapes_[pair.collider];
+  if (!std::holds_alternative<MeshSolid>(shape)) return surface_within(shape, x, reach);
+  const Vec3 from = points_.value(pair.point, *start_);
+  const Ride* ride = ride_of(pair.collider);
+  return surface_on_way(shape, ride == nullptr ? from : ride->end.place(ride->start.back(from)), x, reach);
+}
+
 void ContactSolver::begin_step(const std::vector<ContactSlip>& slips, const Vectors& start,
                                const Vectors& velocity, const Vectors& predicted, double start_time,
                                double end_time) {
@@ -76,12 +112,14 @@ void ContactSolver::begin_step(const std::vector<ContactSlip>& slips, const Vect
   for (const std::uint32_t point : touching_) {
     const Vec3 x = points_.value(point, predicted);
     const double reach = points_.point(point).radius + reach_ahead;
+    // What has no thickness to speak of may be behind what came from before it.
+    const double way = any_thin_ ? (x - points_.value(point, start)).norm() : 0.0;
     around_.clear();
-    still_solids_.find(x, reach, around_);
-    if (moving_solids_) moving_solids_->find(x, reach, around_);
+    still_solids_.find(x, reach + way, around_);
+    if (moving_solids_) moving_solids_->find(x, reach + way + thin_way_, around_);
     std::sort(around_.begin(), around_.end());
     for (const std::uint32_t collider : around_)
-      if (solves({point, collider}) && nearest_surface(shapes_[collider], x).distance < reach)
+      if (solves({point, collider}) && surface_at({point, collider}, x, reach))
         near_.push_back({point, collider});
   }
   has_touched_.assign(near_.size(), false);
@@ -103,21 +141,33 @@ void ContactSolver::touch(std::size_t near, const Vec3& normal) {
 
 void ContactSolver::solve(Vectors& position) {
   for (std::size_t i = 0; i < near_.size(); ++i) {
-    const Pair& pair = near_[i];
-    const Collider& collider = model_.colliders[pair.collider];
-    const Vec3 x = points_.value(pair.point, position);
-    const Surface surface = nearest_surface(shapes_[pair.collider], x);
-    const double depth = points_.point(pair.point).radius - surface.distance;
-    if (!(depth > 0.0)) continue;
+    const double first = push_out(i, position);
+    if (!(first > 0.0)) continue;
     touched_ = true;
-    const Vec3 moved = moved_since_start(pair, position);
-    const Vec3 held = points_.point(pair.point).static_friction
-                          ? frictions_[i].hold(collider.friction, depth, surface.normal, moved)
-                          : coulomb_friction(collider.friction, depth, surface.normal, moved);
-    points_.move(pair.point, surface.normal * depth + held, position);
-    if (collider.restitution > 0.0) touch(i, surface.normal);
+    if (!is_thin(model_.colliders[near_[i].collider])) continue;
+    // In a hollow what is pushed away from one side of it may be pushed into another.
+    for (int more = 0; more < most_sides && push_out(i, position) > noticeable_depth * first; ++more) {
+    }
   }
   touched_ = ground_.solve(*start_, position) || touched_;
+}
+
+// Gives the depth (m) that it had; 0 where it did not touch.
+double ContactSolver::push_out(std::size_t near, Vectors& position) {
+  const Pair& pair = near_[near];
+  const Collider& collider = model_.colliders[pair.collider];
+  const Vec3 x = points_.value(pair.point, position);
+  const double radius = points_.point(pair.point).radius;
+  const std::optional<Surface> surface = surface_at(pair, x, radius);
+  const double depth = surface ? radius - surface->distance : 0.0;
+  if (!(depth > 0.0)) return 0.0;
+  const Vec3 moved = moved_since_start(pair, position);
+  const Vec3 held = points_.point(pair.point).static_friction
+                        ? frictions_[near].hold(collider.friction, depth, surface->normal, moved)
+                        : coulomb_friction(collider.friction, depth, surface->normal, moved);
+  points_.move(pair.point, surface->normal * depth + held, position);
+  if (collider.restitution > 0.0) touch(near, surface->normal);
+  return depth;
 }
 
 void ContactSolver::keep(const Vectors& position, std::vector<ContactSlip>& slips) const {

@@ -62,6 +62,8 @@ class ContactSolver {
   const Ride* ride_of(std::uint32_t collider) const;
   Vec3 moved_since_start(const Pair& pair, const Vectors& position) const;
   bool solves(const Pair& pair) const;
+  std::optional<Surface> surface_at(const Pair& pair, const Vec3& x, double reach) const;
+  double push_out(std::size_t near, Vectors& position);
   void touch(std::size_t near, const Vec3& normal);
 
   const Model& model_;
@@ -76,6 +78,8 @@ class ContactSolver {
   ColliderTree still_solids_;
   std::optional<ColliderTree> moving_solids_;  // where they are in this step
   std::vector<Ride> rides_;                    // of each of those that move
+  bool any_thin_;                              // whether there are solids that may be thin …
+  double thin_way_ = 0.0;                      // m, and how far any of those goes in this step
   std::vector<std::uint32_t> around_;          // solids near a point
   std::vector<Pair> near_;                     // that may touch in this step, point by point
   std::vector<bool> has_touched_;              // each of those, a solid that gives something back

@@ -41,11 +41,13 @@ double FaceSearch::least_distance(const FacePair& pair) const {
                                      : used_[a] + std::max({used_[b], used_[c], used_[d]}));
 }
 
-// What a node is given beyond its way in this step: more makes searches rarer, and pairs more. Solids are
-// few, and may be what all rooms move away from.
+// What a node is given beyond its way in this step: more makes searches rarer, and pairs more. Nodes of
+// solids are few, but for those of meshes, and may be what all rooms move away from.
 double FaceSearch::slack_of(std::uint32_t node) const {
-  constexpr double slack = 0.5, of_solids = 8.0;  // half thicknesses
-  return mesh_.of_solid(node) ? of_solids * mesh_.radius.front() : slack * mesh_.radius[node];
+  constexpr double slack = 0.5, of_solids = 8.0, of_meshes = 3.0;  // half thicknesses
+  if (!mesh_.of_solid(node)) return slack * mesh_.radius[node];
+  const bool is_mesh = std::holds_alternative<MeshSolid>(mesh_.groups[mesh_.group[node]].solid->shape);
+  return (is_mesh ? of_meshes : of_solids) * mesh_.radius.front();
 }
 
 bool FaceSearch::cover(const std::vector<Vec3>& start, const std::vector<Vec3>& end) {

@@ -139,14 +139,16 @@ class AppearanceMaker {
 
   void add_solids() {
     const ObjectLooks& objects = look_.objects;
-    std::size_t spheres = 0, capsules = 0, boxes = 0;
+    std::size_t spheres = 0, capsules = 0, boxes = 0, mesh_solids = 0;
     for (std::size_t i = 0; i < model_.colliders.size(); ++i) {
       const Shape& shape = model_.colliders[i].shape;
       const ObjectLook plain;
       const ObjectLook& own = std::holds_alternative<Sphere>(shape)    ? look_of(objects.spheres, spheres++)
                               : std::holds_alternative<Capsule>(shape) ? look_of(objects.capsules, capsules++)
                               : std::holds_alternative<Box>(shape)     ? look_of(objects.boxes, boxes++)
-                                                                       : plain;
+                              : std::holds_alternative<MeshSolid>(shape)
+                                  ? look_of(objects.mesh_solids, mesh_solids++)
+                                  : plain;
       made_.solids.push_back(look_.colliders && own.visible);
       colour(made_.solid_colours, model_.colliders.size(), i, own);
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "geometry/lattice.h"
 #include "geometry/view_matrices.h"
@@ -17,6 +18,7 @@ BoxRecord box_record(const Box& box, const Colour& colour) {
 }
 
 void add(Bodies& /*bodies*/, const HalfSpace& /*plane*/, const Colour& /*colour*/) {}
+void add(Bodies& /*bodies*/, const MeshSolid& /*solid*/, const Colour& /*colour*/) {}
 void add(Bodies& bodies, const Sphere& sphere, const Colour& colour) {
   bodies.rods.push_back(tapered_rod(sphere.centre, sphere.radius, sphere.centre, sphere.radius, colour));
 }
@@ -42,6 +44,13 @@ TaperedRod squeezed_ball(const Vec3& centre, double radius, const Vec3& axis, do
   TaperedRod ball = tapered_rod(centre, radius, centre, radius, colour);
   ball.squeeze = to_glm(std::sqrt(1.0 - thickness) * axis);
   return ball;
+}
+
+void add_mesh(Bodies& bodies, const MeshSolid& solid, const std::shared_ptr<const SolidSurface>& surface,
+              const Colour& colour) {
+  MeshRecord record{surface, to_glm(solid.centre), {}, opaque(colour)};
+  for (int axis = 0; axis < 3; ++axis) record.axes[axis] = to_glm(solid.axes.col(axis));
+  bodies.meshes.push_back(std::move(record));
 }
 
 void add_shape(Bodies& bodies, const Shape& shape, const Colour& colour) {

@@ -5,6 +5,7 @@
 
 #include "geometry/colour_scale.h"
 #include "geometry/lattice.h"
+#include "geometry/solid_surface.h"
 #include "model/model.h"
 #include "model/state.h"
 #include "view/view.h"
@@ -37,13 +38,14 @@ struct TorsoRecord {
   Rgba colour;
 };
 
-/// What is drawn as rods, balls, trunks and boxes.
+/// What is drawn as rods, balls, trunks, boxes and meshes.
 struct Bodies {
   std::vector<TaperedRod> rods;
   std::vector<TorsoRecord> torsos;
   std::vector<BoxRecord> boxes;
+  std::vector<MeshRecord> meshes;
 
-  bool empty() const { return rods.empty() && torsos.empty() && boxes.empty(); }
+  bool empty() const { return rods.empty() && torsos.empty() && boxes.empty() && meshes.empty(); }
 };
 
 /// A rod of one colour. It is round.
@@ -53,7 +55,11 @@ TaperedRod tapered_rod(const Vec3& start, double start_radius, const Vec3& end, 
 TaperedRod squeezed_ball(const Vec3& centre, double radius, const Vec3& axis, double thickness,
                          const Colour& colour);
 
-/// Adds something to hit; nothing for a plane.
+/// Adds a solid out of a mesh, of which that is drawn.
+void add_mesh(Bodies& bodies, const MeshSolid& solid, const std::shared_ptr<const SolidSurface>& surface,
+              const Colour& colour);
+
+/// Adds something to hit; nothing for a plane, or for a mesh.
 void add_shape(Bodies& bodies, const Shape& shape, const Colour& colour);
 
 /// Adds a box at each mass that is drawn by itself, turned as its links have turned since the start.

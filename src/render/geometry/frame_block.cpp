@@ -12,7 +12,7 @@
 namespace taut {
 namespace {
 
-std::array<glm::vec3, 8> corners(const Bounds& bounds) {
+std::array<glm::vec3, 8> corners(const DrawnBox& bounds) {
   std::array<glm::vec3, 8> all;
   for (std::size_t i = 0; i < all.size(); ++i) {
     all[i] = {(i & 1U) != 0 ? bounds.high.x : bounds.low.x, (i & 2U) != 0 ? bounds.high.y : bounds.low.y,

@@ -11,6 +11,7 @@
 #include "geometry/turning_marks.h"
 #include "geometry/view_matrices.h"
 #include "model/measures.h"
+#include "model/solid_mesh.h"
 
 namespace taut {
 namespace {
@@ -18,13 +19,13 @@ namespace {
 // Every fourth grid line is a strong one; see shaders/ground.frag.
 constexpr double lines_a_period = 4.0;
 
-Bounds bounds_of(const Geometry& geometry) {
-  Bounds bounds{glm::vec3(1e30F), glm::vec3(-1e30F)};
+DrawnBox bounds_of(const Geometry& geometry) {
+  DrawnBox bounds{glm::vec3(1e30F), glm::vec3(-1e30F)};
   for_each_ball(geometry, [&](const glm::vec3& centre, float radius) {
     bounds.low = glm::min(bounds.low, centre - radius);
     bounds.high = glm::max(bounds.high, centre + radius);
   });
-  return geometry.empty() ? Bounds{} : bounds;
+  return geometry.empty() ? DrawnBox{} : bounds;
 }
 
 // What is left of an appearance without the masses and links of what is drawn as cloth.
@@ -67,6 +68,17 @@ void add_lattice(Geometry& geometry, const Drawn& drawn, const Appearance& besid
   for (const RodRecord& link : link_records(of(rest))) geometry.links.push_back(link);
 }
 
+// Of each collider what is drawn as a mesh; nothing of others.
+std::vector<std::shared_ptr<const SolidSurface>> solid_surfaces(const Model& model,
+                                                                const Appearance& appearance) {
+  std::vector<std::shared_ptr<const SolidSurface>> surfaces(model.colliders.size());
+  for (std::size_t i = 0; i < model.colliders.size(); ++i)
+    if (const auto* solid = std::get_if<MeshSolid>(&model.colliders[i].shape);
+        solid != nullptr && appearance.solids[i])
+      surfaces[i] = std::make_shared<const SolidSurface>(solid_surface(*solid->mesh));
+  return surfaces;
+}
+
 Colour solid_colour(const Look& look, const Appearance& appearance, std::size_t solid) {
   if (appearance.solid_colours.empty()) return look.collider_colour;
   return appearance.solid_colours[solid].value_or(look.collider_colour);
@@ -84,10 +96,11 @@ struct GeometryMaker::Parts {
   double size;                 // m, of the scene
   std::optional<State> exact;  // drawn as a ghost
   std::vector<BodyParts> bodies;
-  std::optional<State> start;                       // only where orientations are drawn
-  std::optional<SceneSupports> supports;            // only where they are drawn
-  std::optional<Cloth> cloth;                       // only where a surface is drawn
-  std::shared_ptr<const SurfaceTopology> topology;  // of the last surface
+  std::vector<std::shared_ptr<const SolidSurface>> solids;  // of colliders out of meshes that are drawn
+  std::optional<State> start;                               // only where orientations are drawn
+  std::optional<SceneSupports> supports;                    // only where they are drawn
+  std::optional<Cloth> cloth;                               // only where a surface is drawn
+  std::shared_ptr<const SurfaceTopology> topology;          // of the last surface
 };
 
 GeometryMaker::GeometryMaker(const Model& model, const State& start, const Look& look,
@@ -104,7 +117,9 @@ GeometryMaker::GeometryMaker(const Model& model, const State& start, const Look&
                        {},
                        {},
                        {},
+                       {},
                        {}}) {
+  parts_->solids = solid_surfaces(model, parts_->appearance);
   if (start.position.size() > 0) parts_->anchor = start.position.at(0);
   if (look.mass_shape == MassShape::box) parts_->start = start;
   if (look.supports) parts_->supports.emplace(model, start, look, parts_->radii, parts_->appearance);
@@ -120,8 +135,8 @@ GeometryMaker::~GeometryMaker() = default;
 
 std::shared_ptr<const Geometry> GeometryMaker::make(const State& state, const CameraPose& pose,
                                                     const Trails* trails) {
-  const auto& [model, look, radii, appearance, beside, anchor, size, exact, bodies, start, supports, cloth,
-               topology] = *parts_;
+  const auto& [model, look, radii, appearance, beside, anchor, size, exact, bodies, solids, start, supports,
+               cloth, topology] = *parts_;
   const PictureSpace space(pose);
   const State seen = space.seen(state);
   const Quantity values = quantity(model, state, look.colour_by);
@@ -148,7 +163,9 @@ std::shared_ptr<const Geometry> GeometryMaker::make(const State& state, const Ca
     if (!appearance.solids[i]) continue;
     const Collider& collider = model.colliders[i];
     const Colour colour = solid_colour(look, appearance, i);
-    add_shape(geometry->bodies, space.seen(shape_at(collider, state.time)), colour);
+    const Shape shape = space.seen(shape_at(collider, state.time));
+    if (solids[i]) add_mesh(geometry->bodies, std::get<MeshSolid>(shape), solids[i], colour);
+    add_shape(geometry->bodies, shape, colour);
     add_turning_marks(geometry->bodies, collider, state.time, space, colour);
   }
   add_figures(geometry->bodies, bodies, drawn);

@@ -16,7 +16,7 @@
 namespace taut {
 
 /// An axis-parallel box (m).
-struct Bounds {
+struct DrawnBox {
   glm::vec3 low{0.0F}, high{0.0F};
 };
 
@@ -29,7 +29,7 @@ struct Geometry {
   SurfaceMesh surface;  ///< without vertices where none is drawn
   Bodies bodies;
   std::vector<GroundPatch> grounds;  ///< those that are seen from above
-  Bounds bounds;                     ///< of all but the grounds; the eye where there is nothing
+  DrawnBox bounds;                   ///< of all but the grounds; the eye where there is nothing
   ColourScale scale;                 ///< of its colours, where they mean anything
   bool legend = false;               ///< whether anything may have a colour of the scale
   /// Beside cloth, which throws the shadow of its own lattice, so many of the first spheres and links throw
@@ -67,6 +67,11 @@ void for_each_ball(const Geometry& geometry, const Visit& visit) {
       visit(box.centre + ((corner & 1) != 0 ? box.edges[0] : -box.edges[0]) +
                 ((corner & 2) != 0 ? box.edges[1] : -box.edges[1]) +
                 ((corner & 4) != 0 ? box.edges[2] : -box.edges[2]),
+            0.0F);
+  for (const MeshRecord& mesh : geometry.bodies.meshes)
+    for (const SolidVertex& vertex : mesh.surface->vertices)
+      visit(mesh.centre + vertex.position.x * mesh.axes[0] + vertex.position.y * mesh.axes[1] +
+                vertex.position.z * mesh.axes[2],
             0.0F);
 }
 

@@ -21,6 +21,12 @@ Box moved(const PictureSpace& space, const Box& box) {
   return result;
 }
 
+MeshSolid moved(const PictureSpace& space, const MeshSolid& solid) {
+  MeshSolid result{solid.mesh, space.place(solid.centre), {}};
+  for (int axis = 0; axis < 3; ++axis) result.axes.col(axis) = space.direction(solid.axes.col(axis));
+  return result;
+}
+
 }  // namespace
 
 State PictureSpace::seen(const State& state) const {

@@ -39,6 +39,7 @@ class MarkMaker {
     }
   }
   void add(const Box&) {}
+  void add(const MeshSolid&) {}
   void add(const HalfSpace&) {}
 
  private:

@@ -25,4 +25,17 @@ struct MeshReading {
 /// cloth.
 MeshReading read_mesh(const std::filesystem::path& file, const MeshSpec& spec);
 
+/// What a solid's mesh file holds, placed as its entry says.
+struct SolidReading {
+  std::shared_ptr<const SolidData> data;
+  std::string content;             ///< hash of the file's bytes
+  std::vector<std::string> notes;  ///< as of a mesh
+};
+
+/// Reads the surface of a solid, of the same formats and in the same way. Its faces are turned to look
+/// outwards, those of a piece within another one into the hollow. Throws BadRequest, as above, for a surface
+/// that is open, has one side only, goes through itself, touches itself at a corner or has no volume, and for
+/// more faces than there is memory for.
+SolidReading read_solid(const std::filesystem::path& file, const MeshSolidSpec& spec);
+
 }  // namespace taut

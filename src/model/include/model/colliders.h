@@ -2,11 +2,13 @@
 
 #include <array>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <variant>
 
 #include "base/vectors.h"
 #include "model/solid_motion.h"
+#include "model/surface.h"
 
 namespace taut {
 
@@ -33,7 +35,19 @@ struct Box {
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< its edges' directions as columns
 };
 
-using Shape = std::variant<HalfSpace, Sphere, Capsule, Box>;
+class SolidMesh;  // model/solid_mesh.h
+
+/// A closed surface of triangles out of a file.
+struct MeshSolid {
+  std::shared_ptr<const SolidMesh> mesh;               ///< in axes of its own
+  Vec3 centre = Vec3::Zero();                          ///< m, where the origin of those is
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< their directions as columns
+
+  Vec3 place(const Vec3& own) const { return centre + axes * own; }
+  Vec3 back(const Vec3& place) const { return axes.transpose() * (place - centre); }
+};
+
+using Shape = std::variant<HalfSpace, Sphere, Capsule, Box, MeshSolid>;
 
 /// A solid that nothing can enter.
 struct Collider {
@@ -49,14 +63,18 @@ Shape moved(const Shape& shape, const Placement& pose);
 /// The shape of a solid where it is at a time.
 Shape shape_at(const Collider& collider, double time);
 
-/// Where a solid's surface is, seen from a point.
-struct Surface {
-  double distance = 0.0;        ///< m; negative inside
-  Vec3 normal = Vec3::UnitY();  ///< unit length, out of the solid
-};
-
 /// The nearest place of a shape's surface.
 Surface nearest_surface(const Shape& shape, const Vec3& point);
+
+/// The same where the distance is below `reach` (m), as it is of all that is inside: quickly said of most
+/// points that are farther away.
+std::optional<Surface> surface_within(const Shape& shape, const Vec3& point, double reach);
+
+/// The same for what came straight from another place. Where it went into the solid on its way, and is
+/// through it or nearer to another side, that is the plane that it went in by: however thin a solid is,
+/// nothing is pushed out of it on the side that it didn't come from. Solids out of meshes alone know of ways;
+/// they may be thin.
+std::optional<Surface> surface_on_way(const Shape& shape, const Vec3& from, const Vec3& point, double reach);
 
 inline constexpr Index no_body = std::numeric_limits<Index>::max();
 

@@ -10,6 +10,7 @@
 #include "model/mesh_data.h"
 #include "model/model.h"
 #include "model/points_data.h"
+#include "model/solid_data.h"
 #include "model/state.h"
 
 namespace taut {
@@ -295,6 +296,21 @@ struct BoxSpec {
   SolidMotionSpec moves{};
 };
 
+/// What a closed surface of triangles, quads and polygons out of a file holds.
+struct MeshSolidSpec {
+  std::string file;       ///< relative to the folder of the scene
+  std::string content{};  ///< the hash that the file must have; empty: any
+  double scale = 1.0;     ///< m for 1 in the file
+  UpAxis up = UpAxis::y;
+  Vec3 position = Vec3::Zero();  ///< m, where the file's origin goes
+  Vec3 turn = Vec3::Zero();      ///< degrees about x, then y, then z, through it
+  std::optional<double> weld{};  ///< m, corners as near as that are one; absent: a millionth of its size
+  double friction = 0.5;
+  double restitution = 0.0;  ///< 0 to 1
+  SolidMotionSpec moves{};
+  std::shared_ptr<const SolidData> data{};  ///< what is in the file, placed; set by whoever reads files
+};
+
 /// A range for the angle at the second of three masses.
 struct AngleSpec {
   std::vector<std::string> masses;  ///< three names
@@ -392,6 +408,7 @@ struct Description {
   std::vector<SphereSpec> spheres;
   std::vector<CapsuleSpec> capsules;
   std::vector<BoxSpec> boxes;
+  std::vector<MeshSolidSpec> mesh_solids;
   std::vector<AngleSpec> angles;
   std::vector<HingeSpec> hinges;
   std::vector<ConeSpec> cones;

@@ -10,8 +10,8 @@ namespace taut {
 
 /// What faces are made of and what they can meet, as points, edges and triangles on the same nodes: those of
 /// sheets with faces, and those of solids. A ball is a point with a radius, a capsule an edge with a radius,
-/// a box its corners, edges and twelve triangles; half-spaces have no part in it, for a triangle is in one
-/// exactly where a corner of it is.
+/// a box its corners, edges and twelve triangles, a mesh its own and those of its edges that stand out;
+/// half-spaces have no part in it, for a triangle is in one exactly where a corner of it is.
 ///
 /// Two triangles that do not pass through each other can only come to do so when a corner of one meets the
 /// other, or an edge of one an edge of the other: so what is kept apart are pairs of points and triangles,

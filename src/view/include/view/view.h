@@ -58,7 +58,7 @@ struct ObjectLook {
 /// drawn as the rest.
 struct ObjectLooks {
   std::vector<ObjectLook> chains, sheets, meshes, points, ragdolls, masses, links, planes, spheres, capsules,
-      boxes;
+      boxes, mesh_solids;
 };
 
 /// What is drawn and how.
