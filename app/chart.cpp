@@ -21,7 +21,6 @@
 #include "host/scene_folder.h"
 #include "host/standard_streams.h"
 #include "interrupted.h"
-#include "output/atomic_file.h"
 #include "output/gnuplot.h"
 #include "study/chart_files.h"
 #include "study/chart_summary.h"
@@ -99,7 +98,8 @@ void print_summary(const Chart& chart, const std::string& folder) {
 // What charts there are, on one page and in tables.
 void write_overviews(const std::vector<Chart>& charts, const std::filesystem::path& folder) {
   write_chart_page(charts, folder);
-  write_file(folder / "which-method.md", cheapest_method_table(charts) + "\n" + which_method_table(charts));
+  write_chart_text("which-method.md", cheapest_method_table(charts) + "\n" + which_method_table(charts),
+                   folder);
 }
 
 void print_json(const std::vector<Chart>& charts) {
@@ -165,7 +165,7 @@ int chart(const ChartFlags& flags) {
     return report_interrupted(interrupts, "running the same again goes on, in " + flags.folder);
   }
   if (request.shard.all()) write_overviews(charts, flags.folder);
-  if (flags.plans) write_file(std::filesystem::path(flags.folder) / "plans.md", plan_table(verdicts));
+  if (flags.plans) write_chart_text("plans.md", plan_table(verdicts), flags.folder);
   if (flags.json) print_json(charts);
   return status;
 }

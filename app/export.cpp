@@ -10,6 +10,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/failure.h"
@@ -19,6 +20,7 @@
 #include "export_choice.h"
 #include "flags.h"
 #include "frames/colouring.h"
+#include "frames/hidden_folder.h"
 #include "frames/simulate.h"
 #include "host/patience.h"
 #include "host/progress.h"
@@ -138,13 +140,36 @@ ExportSubject subject_of(const ExportJob& job, ExportTable table) {
   return subject;
 }
 
-// What became of an export that was interrupted before an instant.
-std::string what_became(const ExportFlags& flags, const ExportJob& job, std::size_t done) {
+// What is there of an export that was interrupted before an instant.
+std::string what_is_there(const ExportFlags& flags, const ExportJob& job, std::size_t done) {
   if (job.format.layout == ExportLayout::file_a_frame)
     return fmt::format("{} of {} frames are there", done, job.instants.size());
   if (goes_to_stdout(flags.choice) && job.format.streams)
     return fmt::format("the table ends before {} s", job.instants[done].time);
   return "no file was written";
+}
+
+// Where the states come from. A run that fills a file or a folder is kept until that is there; one that is
+// watched for a certificate has to be seen from its start on.
+MomentSource source_of(const ExportFlags& flags, const ExportJob& job, const Execution& execution) {
+  if (job.motion || flags.certify || goes_to_stdout(flags.choice)) return {job.scene, job.motion, execution};
+  std::vector<double> times;
+  times.reserve(job.instants.size());
+  for (const Instant& instant : job.instants) times.push_back(instant.time);
+  return {job.scene, std::move(times), hidden_folder(flags.choice.output, "motion"), execution};
+}
+
+void tell_what_was_kept(const ExportFlags& flags, MomentSource& source) {
+  const KeptRun* kept = source.kept();
+  if (kept == nullptr || flags.quiet || !kept->resumed_at()) return;
+  tell("taut: note: the run goes on at {:.6g} s, where one before was stopped\n", *kept->resumed_at());
+}
+
+// What became of an export that was interrupted before an instant.
+std::string what_became(const ExportFlags& flags, const ExportJob& job, MomentSource& source,
+                        std::size_t done) {
+  const bool goes_on = source.kept() != nullptr && source.kept()->keeps();
+  return (goes_on ? "running the same again goes on; " : "") + what_is_there(flags, job, done);
 }
 
 // What the format can't show of what happened.
@@ -201,7 +226,8 @@ int export_motion(const ExportFlags& flags) {
     const Patience patience(stderr, flags.quiet || !to_stdout, "at the export");
     Progress progress(stderr, to_stdout ? ProgressStyle::none : progress_style(stderr, flags.quiet),
                       "frames");
-    MomentSource source(job.scene, job.motion, execution);
+    MomentSource source = source_of(flags, job, execution);
+    tell_what_was_kept(flags, source);
     std::optional<Certifier> certifier;
     if (flags.certify) certifier.emplace(job.scene, stop);
     ExportPlace place(flags.choice, job.format);
@@ -217,9 +243,10 @@ int export_motion(const ExportFlags& flags) {
     if (done < job.instants.size()) {
       writer->end_early();
       progress.finish();
-      return report_interrupted(interrupts, what_became(flags, job, done));
+      return report_interrupted(interrupts, what_became(flags, job, source, done));
     }
     place.finish();
+    if (source.kept() != nullptr) source.kept()->remove();
     if (!flags.quiet) tell_of_breaks(job.format, *last);
     if (plan && !flags.quiet) print_accuracy(*plan);
     return certifier ? certify(flags, job, source, *certifier, interrupts) : exit_done;

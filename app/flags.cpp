@@ -131,9 +131,10 @@ void print_notes(const Scene& scene, bool quiet) {
 }
 
 void add_metrics(Verb& verb, std::string& file) {
-  verb.add_option("--metrics", file,
-                  "Also write what is measured of every frame, energies, strain, sag, breaks, speed and what "
-                  "each stage took: as .csv, or .jsonl; taut plot draws it")
+  verb.add_option(
+          "--metrics", file,
+          "Also write what is measured of every frame, energies, strain, sag, breaks, speed and what "
+          "each stage took: as .csv, or .jsonl; taut plot draws it; a shard adds its part to the name")
       ->names_a(ValueKind::file);
 }
 

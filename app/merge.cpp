@@ -26,20 +26,25 @@ namespace fs = std::filesystem;
 
 struct MergeFlags {
   std::vector<std::string> folders;
-  std::string output, film;
+  std::string output, film, metrics;
   bool quiet = false;
 };
 
 int merge_all_frames(const std::vector<fs::path>& folders, const fs::path& into, const MergeFlags& flags,
                      const StopTest& stop) {
-  const std::optional<fs::path> film =
-      flags.film.empty() ? std::nullopt : std::optional<fs::path>(flags.film);
-  const MergedFrames merged = merge_frames(folders, into, film, stop);
+  MergeWishes wishes;
+  if (!flags.film.empty()) wishes.film = flags.film;
+  if (!flags.metrics.empty()) wishes.metrics = flags.metrics;
+  const MergedFrames merged = merge_frames(folders, into, wishes, stop);
   if (!merged.missing.empty())
     tell("taut: {}: frames {} are missing\n", into.string(), selection_text(merged.missing));
+  if (!merged.unmeasured.empty())
+    tell("taut: {}: metrics of frames {} are missing\n", into.string(), selection_text(merged.unmeasured));
   if (!flags.quiet)
-    tell("{}: {} frames{}\n", into.string(), merged.count, merged.film_made ? ", film in " + flags.film : "");
-  return merged.missing.empty() ? exit_done : exit_incomplete;
+    tell("{}: {} frames{}{}\n", into.string(), merged.count,
+         merged.film_made ? ", film in " + flags.film : "",
+         merged.metrics_made ? ", metrics in " + flags.metrics : "");
+  return merged.missing.empty() && merged.unmeasured.empty() ? exit_done : exit_incomplete;
 }
 
 int merge_all_cases(const std::vector<fs::path>& folders, const fs::path& into, const MergeFlags& flags) {
@@ -64,7 +69,8 @@ int merge(const MergeFlags& flags) {
   const bool frames = std::ranges::any_of(folders, holds_frames);
   if (!frames && !holds_cases(folders))
     throw BadRequest(fmt::format("{} holds neither frames nor cases of shards", folders.front().string()));
-  if (!frames && !flags.film.empty()) throw BadRequest("--film is for frames, and there are none");
+  if (!frames && !(flags.film.empty() && flags.metrics.empty()))
+    throw BadRequest("--film and --metrics are for frames, and there are none");
   if (!flags.film.empty()) require_film_encoder();
   const InterruptWatch interrupts(end_at_once);
   return unless_interrupted(interrupts, "running the same again goes on", [&] {
@@ -84,6 +90,9 @@ void add_merge(CommandLine& program) {
   verb->add_option("-o,--output", flags->output, "Join them in this folder [the one that is named]")
       ->names_a(ValueKind::folder);
   verb->add_option("--film", flags->film, "Make a film of the frames when all are there, as render does")
+      ->names_a(ValueKind::file);
+  verb->add_option("--metrics", flags->metrics,
+                   "Join the metrics that the shards have kept, as .csv or .jsonl as they are")
       ->names_a(ValueKind::file);
   verb->add_flag("--quiet", flags->quiet, "Say only what is missing");
   verb->footer(

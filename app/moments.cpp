@@ -68,7 +68,12 @@ MomentSource::MomentSource(const Scene& scene, std::shared_ptr<const MotionReade
     simulation_.emplace(scene_, execution);
 }
 
+MomentSource::MomentSource(const Scene& scene, std::vector<double> times, const std::filesystem::path& folder,
+                           const Execution& execution)
+    : scene_(scene), kept_(std::in_place, scene, std::move(times), folder, execution) {}
+
 std::optional<State> MomentSource::at(double time, const StopTest& stop) {
+  if (kept_) return kept_->next(stop);
   if (simulation_) {
     last_ = simulation_->at(time, stop);
     return last_ ? std::optional(simulation_->reported(*last_)) : std::nullopt;
@@ -79,6 +84,7 @@ std::optional<State> MomentSource::at(double time, const StopTest& stop) {
 }
 
 RunMeasures MomentSource::measures() const {
+  if (kept_) return kept_->measures();
   return simulation_ ? simulation_->measures(*last_) : player_->measures();
 }
 

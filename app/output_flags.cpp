@@ -7,6 +7,7 @@
 
 #include "base/failure.h"
 #include "exit_status.h"
+#include "frames/shard_file.h"
 #include "host/machine.h"
 #include "host/standard_streams.h"
 #include "interrupted.h"
@@ -136,10 +137,10 @@ RenderRequest OutputFlags::request(const std::string& usual_folder, std::optiona
   RenderRequest request;
   if (!no_frames) request.folder = folder.empty() ? usual_folder : folder;
   if (!film.empty()) request.film = film;
-  if (!metrics.empty()) request.metrics = metrics;
   if (!selection.empty()) request.selection = selection;
   request.rate = rate.empty() ? FrameRate{} : parse_frame_rate("--fps", rate);
   request.shard = chosen_shard(shard);
+  if (!metrics.empty()) request.metrics = shard_file(metrics, request.shard);
   request.picture = picture.settings(usual);
   request.picture.render.bits = parse_depth(depth);
   if (json && goes_to_standard_output(film))
@@ -176,10 +177,9 @@ int render_and_report(std::span<Scene> scenes, const RenderRequest& request, con
   print_failures(scenes, outcome);
   if (!outcome.stopped) return exit_done;
   return report_interrupted(interrupts,
-                            fmt::format("{} of {} frames are there{}", outcome.shown, outcome.asked,
-                                        request.film     ? ", and no film"
-                                        : request.folder ? "; running the same again goes on"
-                                                         : ""));
+                            fmt::format("{} of {} frames are there{}{}", outcome.shown, outcome.asked,
+                                        request.film ? ", and no film" : "",
+                                        outcome.goes_on ? "; running the same again goes on" : ""));
 }
 
 }  // namespace taut

@@ -29,14 +29,9 @@ void add_from_files(Film& film, const FrameFolder& folder, std::span<const int> 
   }
 }
 
-// The manifest knows the film before it has its name: whatever moment the program ends at, no film stands
-// there that nothing is known of.
 void finish_film(Film& film, RenderJob& job, StageClock& clock, const StopTest& stop) {
   clock.add(Stage::encode, film.finish(stop));
-  if (is_film_stream(job.film_file)) return;
-  job.record(job.film, &Manifest::films, film.file());
-  film.commit();
-  job.keep(job.film, &Manifest::films);
+  if (!is_film_stream(job.film.file)) leave(job.film, job.book(), film.file(), [&] { film.commit(); });
 }
 
 RenderOutcome film_from_files(const RenderRequest& request, std::size_t panels, RenderJob& job,

@@ -11,6 +11,7 @@
 #include "base/failure.h"
 #include "base/hash.h"
 #include "base/stopwatch.h"
+#include "frames/hidden_folder.h"
 #include "output/atomic_file.h"
 #include "output/content_hash.h"
 #include "output/frame_file.h"
@@ -110,7 +111,7 @@ void FrameFolder::take_over(const Manifest& there) {
 
 void FrameFolder::begin() {
   make_folder(folder_);
-  lock_ = std::make_unique<FolderLock>(folder_, fmt::format(".{}.lock", manifest_name(shard_)));
+  lock_ = std::make_unique<FolderLock>(folder_, lock_name());
   if (bytes_of_file(manifest_file()) != seen_)
     throw RunFailure(
         fmt::format("another taut has worked in {} in the meantime; run the same again", folder_.string()));
@@ -127,6 +128,10 @@ void FrameFolder::remove_frames() const {
       if (entry.path().filename().string().starts_with("manifest-")) files.push_back(entry.path());
   }
   for (const fs::path& file : files) remove_file(file);
+}
+
+std::string FrameFolder::lock_name() const {
+  return fmt::format(".{}.lock", manifest_name(shard_));
 }
 
 fs::path FrameFolder::checkpoint_file() const {
@@ -161,18 +166,25 @@ void FrameFolder::write(const Checkpoint& checkpoint) {
   write_checkpoint(checkpoint_file(), manifest_.inputs, checkpoint);
 }
 
+bool FrameFolder::has_checkpoint() const {
+  std::error_code error;
+  return fs::exists(checkpoint_file(), error);
+}
+
 void FrameFolder::remove_checkpoint() const {
   std::error_code error;  // one that stays is of no harm
   fs::remove(checkpoint_file(), error);
 }
 
-void FrameFolder::keep_only(const FilmRecord& film, FilmList list) {
-  std::erase_if(manifest_.*list, [&](const FilmRecord& other) {
-    return other.file == film.file && other.content != film.content;
-  });
+void FrameFolder::remove() {
+  if (!lock_) lock_ = lock_unless_held(folder_, lock_name());
+  if (!lock_) return;
+  remove_hidden_folder(folder_, std::move(lock_));
+  gone_ = true;
 }
 
 void FrameFolder::save() {
+  if (gone_) return;
   const Stopwatch watch;
   write_manifest(manifest_file(), manifest_);
   clock_->begun(watch.seconds());

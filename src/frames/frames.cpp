@@ -137,10 +137,10 @@ void Pipeline::simulate(PanelRuns& runs) {
     for (std::size_t i = 0; i < now->size(); ++i)
       notes_.see(scenes_[i], request_.picture.drawn_size(), shows_ground(), (*now)[i].state);
     const bool last = frame == job_.frames.back();
-    const bool measured = request_.picture.captions || job_.make_metrics || last;
+    const bool measured = request_.picture.captions || job_.metrics.make || last;
     for (std::size_t i = 0; i < now->size() && measured; ++i) {
       const PanelOutcome outcome{runs.measures(i), (*now)[i].failure};
-      if (job_.make_metrics) metrics_.add(frame_metrics(scenes_[i], frame, outcome.measures));
+      if (job_.metrics.make) metrics_.add(frame_metrics(scenes_[i], frame, outcome.measures));
       posed.captions.push_back(
           panel_caption(scenes_[i], outcome.measures, time, outcome.failure, now->size() == 1));
       if (last) outcome_.panels.push_back(outcome);
@@ -286,12 +286,13 @@ RenderOutcome Pipeline::run() {
   PanelRuns runs = begin_runs();  // first of all: what a method refuses is said before anything is written
   // So is that there is no way to draw, or no exact shape.
   PanelPainter painter(scenes_, request_.picture);
+  std::optional<Film> film;
+  // What is hidden only helps a film that can be begun.
+  if (job_.film.make) begin_film(film, film_settings(request_, scenes_.size(), job_.frames));
   if (job_.folder) {
     job_.folder->set_colour_range(scenes_.front().look.colour_range);
     job_.folder->begin();
   }
-  std::optional<Film> film;
-  if (job_.make_film) begin_film(film, film_settings(request_, scenes_.size(), job_.frames));
   outcome_.drawn_by = painter.drawn_by();
   if (job_.folder) job_.folder->set_drawn_by(outcome_.drawn_by);
   progress_.start(static_cast<int>(job_.frames.size()));
@@ -301,11 +302,12 @@ RenderOutcome Pipeline::run() {
   const std::vector<int> done = job_.done_before();
   outcome_.shown = outcome_.kept = done.size();
   if (job_.resume) outcome_.resumed_at = job_.resume->frame;
-  if (job_.make_metrics) clock_.keep_frames();
-  if (job_.make_metrics && job_.resume) metrics_.restore(job_.resume->metrics);
+  if (job_.metrics.make) clock_.keep_frames();
+  if (job_.metrics.make && job_.resume) metrics_.restore(job_.resume->metrics);
   if (job_.folder)
-    lanes_.emplace_back(
-        files.emplace(*job_.folder, checkpoints_, clock_, job_.make_metrics ? &metrics_ : nullptr));
+    lanes_.emplace_back(files.emplace(*job_.folder, checkpoints_, clock_,
+                                      job_.metrics.make ? &metrics_ : nullptr,
+                                      job_.hides_frames && done.empty()));
   if (film) lanes_.emplace_back(shots.emplace(*film, job_.folder ? &*job_.folder : nullptr, done, clock_));
   run_stages(runs, painter);
   // What stands in the film only, or is there already, doesn't count as lost.
@@ -332,10 +334,12 @@ void Pipeline::finish(std::optional<Film>& film) {
   }
   outcome_.stopped = stopped_;
   // Whatever happened, so far as it went.
-  if (job_.make_metrics) failure_.watch([&] { leave_metrics(job_, metrics_.rows(clock_)); });
+  if (job_.metrics.make) failure_.watch([&] { leave_metrics(job_, metrics_.rows(clock_)); });
   // Whatever happened, the manifest says which frames there are.
   if (job_.folder) failure_.watch([&] { job_.folder->save(); });
   if (job_.folder && whole && !failure_.any() && !stopped_) job_.folder->remove_checkpoint();
+  // Going on after a step that couldn't be made would end in the same way.
+  if (job_.hides_frames && (step_failure_.any() || !job_.folder->has_checkpoint())) job_.folder->remove();
   failure_.rethrow();
   step_failure_.rethrow();
 }
@@ -371,7 +375,9 @@ RenderOutcome render_frames(std::span<Scene> scenes, const RenderRequest& reques
   outcome.asked = job.frames.size();
   outcome.inputs = job.inputs;
   outcome.size = sheet_size(request.picture.render.size, scenes.size());
-  outcome.film_kept = request.film && !job.make_film;
+  if (request.film && !request.folder && !outcome.stopped) remove_hidden_frames(job);
+  outcome.goes_on = job.folder && (!job.hides_frames || job.folder->has_checkpoint());
+  outcome.film_kept = request.film && !job.film.make;
   return outcome;
 }
 

@@ -8,26 +8,22 @@
 
 #include "base/failure.h"
 #include "film_making.h"
-#include "film_records.h"
 #include "frames/frame_folder.h"
 #include "frames/frame_selection.h"
+#include "frames/metrics.h"
 #include "host/machine.h"
+#include "merge_metrics.h"
 #include "output/atomic_file.h"
 #include "output/content_hash.h"
 #include "output/film.h"
 #include "output/frame_file.h"
+#include "side_files.h"
 #include "thread_budget.h"
 
 namespace taut {
 namespace {
 
 namespace fs = std::filesystem;
-
-// One of the manifests that are joined, and where its frames lie.
-struct Part {
-  fs::path folder;
-  Manifest manifest;
-};
 
 std::vector<Part> parts_in(std::span<const fs::path> folders) {
   std::vector<Part> parts;
@@ -76,10 +72,11 @@ void remove_shards(const fs::path& folder) {
 
 void make_film(FrameFolder& folder, const fs::path& into, const fs::path& file, const StopTest& stop) {
   const Manifest& manifest = folder.manifest();
-  const std::string name = film_name_from(into, file), frames = fmt::format("1-{}", manifest.frame_count);
-  if (!is_film_stream(file))
-    if (const FilmRecord* there = known_film(manifest.films, name, file); there && there->frames == frames)
-      return;
+  SideFile wanted{&Manifest::films,
+                  file,
+                  {film_name_from(into, file), fmt::format("1-{}", manifest.frame_count), 0, {}},
+                  true};
+  if (is_made(wanted, &manifest)) return;
   std::vector<int> numbers;
   numbers.reserve(manifest.frames.size());
   for (const auto& [frame, record] : manifest.frames) numbers.push_back(frame);
@@ -92,13 +89,7 @@ void make_film(FrameFolder& folder, const fs::path& into, const fs::path& file, 
               thread_budget(static_cast<int>(this_machine().threads)).film, manifest.bits});
   add_from_files(*film, folder, numbers, stop);
   film->finish(stop);
-  if (is_film_stream(file)) return;
-  const FilmRecord made = film_record(name, frames, film->file());
-  folder.add_film(made);
-  folder.save();
-  film->commit();
-  folder.keep_only(made);
-  folder.save();
+  if (!is_film_stream(file)) leave(wanted, folder.book(), film->file(), [&] { film->commit(); });
 }
 
 }  // namespace
@@ -108,10 +99,11 @@ bool holds_frames(const fs::path& folder) {
   return !parts_in(folders).empty();
 }
 
-MergedFrames merge_frames(std::span<const fs::path> folders, const fs::path& into,
-                          const std::optional<fs::path>& film, const StopTest& stop) {
+MergedFrames merge_frames(std::span<const fs::path> folders, const fs::path& into, const MergeWishes& wishes,
+                          const StopTest& stop) {
   const std::vector<Part> parts = parts_in(folders);
   require_same_inputs(parts);
+  if (wishes.metrics) check_metrics_file(*wishes.metrics);
   Manifest wanted = parts.front().manifest;
   wanted.frames.clear();
   wanted.films.clear();
@@ -125,10 +117,14 @@ MergedFrames merge_frames(std::span<const fs::path> folders, const fs::path& int
   merged.count = folder.manifest().frames.size();
   for (const int frame : all_frames(wanted.frame_count))
     if (!folder.has(frame)) merged.missing.push_back(frame);
+  if (wishes.metrics) {
+    merged.unmeasured = merge_metrics(parts, folder, into, *wishes.metrics);
+    merged.metrics_made = merged.unmeasured.empty();
+  }
   // A shard that isn't done goes on from its own.
-  if (merged.missing.empty()) remove_shards(into);
-  if (film && merged.missing.empty()) {
-    make_film(folder, into, *film, stop);
+  if (merged.missing.empty() && merged.unmeasured.empty()) remove_shards(into);
+  if (wishes.film && merged.missing.empty()) {
+    make_film(folder, into, *wishes.film, stop);
     merged.film_made = true;
   }
   return merged;

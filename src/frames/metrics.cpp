@@ -19,7 +19,7 @@ namespace {
 
 using Measures = const RunMeasures&;
 
-constexpr std::array<MetricColumn, 16> columns{{
+constexpr std::array<MetricColumn, 16> all_columns{{
     {"kinetic_energy", [](Measures m, bool) { return std::optional(m.energy.kinetic); }},
     {"potential_energy", [](Measures m, bool) { return std::optional(m.energy.potential); }},
     {"elastic_energy", [](Measures m, bool) { return std::optional(m.energy.elastic); }},
@@ -46,7 +46,7 @@ std::string stage_column(std::string_view stage) {
 
 std::string csv_header(std::span<const std::string_view> stages) {
   std::string header = "frame,time,method";
-  for (const MetricColumn& column : columns) header += fmt::format(",{}", column.name);
+  for (const MetricColumn& column : all_columns) header += fmt::format(",{}", column.name);
   for (const std::string_view stage : stages) header += fmt::format(",{}", stage_column(stage));
   return header + "\n";
 }
@@ -64,8 +64,8 @@ std::string csv_row(const FrameMetrics& row, std::size_t stages) {
 std::string json_row(const FrameMetrics& row, std::span<const std::string_view> stages) {
   using Json = nlohmann::ordered_json;
   Json json{{"frame", row.frame}, {"time", row.time}, {"method", row.method}};
-  for (std::size_t i = 0; i < columns.size(); ++i)
-    json[std::string(columns[i].name)] = row.values[i] ? Json(*row.values[i]) : Json();
+  for (std::size_t i = 0; i < all_columns.size(); ++i)
+    json[std::string(all_columns[i].name)] = row.values[i] ? Json(*row.values[i]) : Json();
   for (std::size_t i = 0; i < stages.size(); ++i)
     json[stage_column(stages[i])] =
         i < row.stage_seconds.size() ? Json(std::round(row.stage_seconds[i] * 1e6) * 1e-6) : Json();
@@ -79,14 +79,14 @@ bool are_lines(const std::filesystem::path& file) {
 }
 
 std::span<const MetricColumn> metric_columns() {
-  return columns;
+  return all_columns;
 }
 
 FrameMetrics frame_metrics(const Scene& scene, int frame, const RunMeasures& measures) {
   const bool known = tension_known(scene, measures.time);
   FrameMetrics row{frame, measures.time, panel_title(scene), {}, {}};
-  row.values.reserve(columns.size());
-  for (const MetricColumn& column : columns) row.values.push_back(column.value(measures, known));
+  row.values.reserve(all_columns.size());
+  for (const MetricColumn& column : all_columns) row.values.push_back(column.value(measures, known));
   return row;
 }
 
@@ -135,7 +135,7 @@ std::vector<FrameMetrics> metrics_from_bytes(std::string_view bytes) {
     reader.take(row.method);
     std::vector<double> values;
     reader.take(values);
-    if (values.size() != columns.size()) throw BadRequest("these are metrics of other columns");
+    if (values.size() != all_columns.size()) throw BadRequest("these are metrics of other columns");
     row.values.reserve(values.size());
     for (const double value : values)
       row.values.push_back(std::isnan(value) ? std::nullopt : std::optional(value));

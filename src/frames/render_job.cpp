@@ -7,11 +7,11 @@
 #include <system_error>
 
 #include "base/failure.h"
-#include "film_records.h"
 #include "frames/colouring.h"
 #include "frames/exact_shape.h"
 #include "frames/film_frames.h"
 #include "frames/frame_selection.h"
+#include "frames/hidden_folder.h"
 #include "frames/metrics.h"
 #include "frames/panels.h"
 #include "output/film.h"
@@ -31,16 +31,18 @@ void take_over_films(const fs::path& film, Manifest& manifest) {
   manifest.metrics = there->metrics;
 }
 
+FilmRecord record_to_be(const std::string& name, const std::vector<int>& frames) {
+  return {name, selection_text(frames), 0, {}};
+}
+
 void settle_film(RenderJob& job, const RenderRequest& request, const Manifest& wanted) {
-  job.film = {
-      request.folder ? film_name_from(*request.folder, *request.film) : request.film->filename().string(),
-      selection_text(job.frames),
-      0,
-      {}};
-  job.film_file = *request.film;
-  job.make_film = true;
+  job.film = {&Manifest::films, *request.film,
+              record_to_be(request.folder ? film_name_from(*request.folder, *request.film)
+                                          : request.film->filename().string(),
+                           job.frames),
+              true};
   if (is_film_stream(*request.film)) return;
-  if (!job.folder) {
+  if (!request.folder) {
     job.film_manifest = wanted;
     job.film_manifest->kind = "film";
     if (!request.overwrite) take_over_films(*request.film, *job.film_manifest);
@@ -48,33 +50,42 @@ void settle_film(RenderJob& job, const RenderRequest& request, const Manifest& w
   std::error_code error;
   if (fs::is_directory(*request.film, error))
     throw BadRequest(fmt::format("{} is a folder, not a name for a film", request.film->string()));
-  if (request.overwrite) return;
-  const FilmRecord* there = known_film(job.known()->films, job.film.file, *request.film);
-  job.make_film = there == nullptr || there->frames != job.film.frames;
+  job.film.make = request.overwrite || !is_made(job.film, job.known());
 }
 
 // After the film, which may have the only manifest.
 void settle_metrics(RenderJob& job, const RenderRequest& request) {
   if (!request.metrics) return;
   check_metrics_file(*request.metrics);
-  job.metrics_file = *request.metrics;
   const fs::path beside = request.folder ? *request.folder : request.film->parent_path();
-  job.metrics = {film_name_from(beside, job.metrics_file), selection_text(job.frames), 0, {}};
-  job.make_metrics = true;
-  if (request.overwrite) return;
-  const std::vector<FilmRecord> known =
-      job.known() != nullptr ? job.known()->metrics : std::vector<FilmRecord>();
-  const FilmRecord* there = known_film(known, job.metrics.file, job.metrics_file);
-  job.make_metrics = there == nullptr || there->frames != job.metrics.frames;
+  job.metrics = {&Manifest::metrics, *request.metrics,
+                 record_to_be(film_name_from(beside, *request.metrics), job.frames), false};
+  job.metrics.make = request.overwrite || !is_made(job.metrics, job.known());
+}
+
+// A film alone has its frames in a hidden folder until it is whole, so that a run that is killed goes on.
+// Where nothing is simulated, or all of it has to be seen, there is nothing to go on from; into a pipe a film
+// goes as it grows.
+void hide_frames(RenderJob& job, const RenderRequest& request, const Manifest& wanted) {
+  if (request.folder || !job.film.make || is_film_stream(*request.film) || request.motion || request.watch)
+    return;
+  const fs::path folder = hidden_folder(*request.film, "frames");
+  job.hides_frames = true;
+  job.hidden = std::make_unique<UselessGoesAway>(folder);
+  try {
+    job.folder.emplace(folder, wanted, request.shard, request.overwrite);
+  } catch (const OutputConflict&) {
+    job.folder.emplace(folder, wanted, request.shard, true);  // nobody but an earlier run has made it
+  }
 }
 
 // Where to go on. Whoever watches the run wants to see all of it.
 void settle_resume(RenderJob& job, const RenderRequest& request) {
   if (!job.folder || request.watch) return;
-  job.only_film = job.make_film && !job.make_metrics &&
+  job.only_film = job.film.make && !job.metrics.make &&
                   std::ranges::all_of(job.frames, [&](int frame) { return job.folder->has(frame); });
   if (!job.only_film && !request.motion) job.resume = job.folder->checkpoint(job.frames);
-  if (job.resume && job.make_metrics && job.resume->metrics.empty()) job.resume.reset();
+  if (job.resume && job.metrics.make && job.resume->metrics.empty()) job.resume.reset();
 }
 
 void require_moments(const Scene& scene, const RenderRequest& request, const std::vector<int>& frames) {
@@ -97,6 +108,13 @@ std::vector<int> frames_of(const RenderRequest& request, int count) {
 
 }  // namespace
 
+void remove_hidden_frames(RenderJob& job) {
+  if (job.hides_frames)
+    job.folder->remove();
+  else
+    FrameFolder(hidden_folder(job.film.file, "frames"), {}, {}, true).remove();
+}
+
 FilmSettings film_settings(const RenderRequest& request, std::size_t panels, const std::vector<int>& frames) {
   return {*request.film,
           sheet_size(request.picture.render.size, panels),
@@ -107,8 +125,9 @@ FilmSettings film_settings(const RenderRequest& request, std::size_t panels, con
 }
 
 bool RenderJob::complete() const {
-  return !make_film && !make_metrics &&
-         (!folder || std::ranges::all_of(frames, [&](int frame) { return folder->has(frame); }));
+  return !film.make && !metrics.make &&
+         (!folder || hides_frames ||
+          std::ranges::all_of(frames, [&](int frame) { return folder->has(frame); }));
 }
 
 std::vector<int> RenderJob::done_before() const {
@@ -119,28 +138,14 @@ std::vector<int> RenderJob::done_before() const {
 }
 
 const Manifest* RenderJob::known() const {
-  if (folder) return &folder->manifest();
+  if (folder && !hides_frames) return &folder->manifest();
   return film_manifest ? &*film_manifest : nullptr;
 }
 
-void RenderJob::record(FilmRecord& made, FilmList list, const fs::path& temporary) {
-  made = film_record(made.file, made.frames, temporary);
-  if (folder) {
-    folder->add_film(made, list);
-    folder->save();
-  } else if (film_manifest) {
-    ((*film_manifest).*list).push_back(made);
-    write_manifest(film_manifest_file(film_file), *film_manifest);
-  }
-}
-
-void RenderJob::keep(const FilmRecord& made, FilmList list) {
-  if (folder) {
-    folder->keep_only(made, list);
-  } else if (film_manifest && ((*film_manifest).*list).size() > 1) {
-    (*film_manifest).*list = {made};
-    write_manifest(film_manifest_file(film_file), *film_manifest);
-  }
+Book RenderJob::book() {
+  if (folder && !hides_frames) return folder->book();
+  if (!film_manifest) return {};
+  return {&*film_manifest, [this] { write_manifest(film_manifest_file(film.file), *film_manifest); }};
 }
 
 RenderJob make_render_job(std::span<const Scene> scenes, const RenderRequest& request) {
@@ -166,8 +171,9 @@ RenderJob make_render_job(std::span<const Scene> scenes, const RenderRequest& re
   if (request.folder) job.folder.emplace(*request.folder, wanted, request.shard, request.overwrite);
   if (request.film) settle_film(job, request, wanted);
   settle_metrics(job, request);
+  hide_frames(job, request, wanted);
   settle_resume(job, request);
-  if (job.make_film) require_film_encoder();
+  if (job.film.make) require_film_encoder();
   return job;
 }
 

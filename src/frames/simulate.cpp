@@ -7,7 +7,6 @@
 
 #include "base/failure.h"
 #include "base/stopwatch.h"
-#include "film_records.h"
 #include "frames/film_frames.h"
 #include "frames/frame_folder.h"
 #include "frames/frame_selection.h"
@@ -15,6 +14,7 @@
 #include "frames/motion_player.h"
 #include "host/versions.h"
 #include "output/atomic_file.h"
+#include "side_files.h"
 #include "wanted_manifest.h"
 
 namespace taut {
@@ -73,19 +73,21 @@ class MotionRun {
   CheckpointClock clock_;
 };
 
-// Whether metrics are asked for and not there yet. Throws OutputConflict where something else is.
-bool metrics_missing(const MotionRequest& request, const FrameFolder& folder, const std::string& name,
-                     const std::string& frames) {
-  if (!request.metrics) return false;
+// The metrics that are asked for, if any. Throws OutputConflict where something else has their name.
+SideFile wanted_metrics(const MotionRequest& request, const FrameFolder& folder,
+                        const std::vector<int>& frames) {
+  if (!request.metrics) return {};
   check_metrics_file(*request.metrics);
-  if (request.overwrite) return true;
-  const FilmRecord* there = known_film(folder.manifest().metrics, name, *request.metrics);
-  return there == nullptr || there->frames != frames;
+  SideFile metrics{&Manifest::metrics,
+                   *request.metrics,
+                   {film_name_from(request.folder, *request.metrics), selection_text(frames), 0, {}},
+                   true};
+  metrics.make = request.overwrite || !is_made(metrics, &folder.manifest());
+  return metrics;
 }
 
 // What was measured of every moment, from the motion itself: nothing is simulated for it.
-void write_metrics(const Scene& scene, const fs::path& motion, const MotionRequest& request,
-                   FilmRecord metrics, FrameFolder& folder) {
+void write_metrics(const Scene& scene, const fs::path& motion, SideFile& metrics, FrameFolder& folder) {
   const MotionReader reader(motion);
   MotionPlayer player(scene, reader);
   std::vector<FrameMetrics> rows;
@@ -97,14 +99,8 @@ void write_metrics(const Scene& scene, const fs::path& motion, const MotionReque
     frames.push_back(frame);
     rows.push_back(frame_metrics(scene, frame, player.measures()));
   }
-  if (request.metrics->has_parent_path()) make_folder(request.metrics->parent_path());
-  PendingFile file(*request.metrics);
-  file.replace(metrics_text(rows, {}, are_lines(*request.metrics)));
-  metrics = film_record(metrics.file, selection_text(frames), file.temporary_name());
-  folder.add_film(metrics, &Manifest::metrics);
-  folder.save();
-  file.commit();
-  folder.keep_only(metrics, &Manifest::metrics);
+  metrics.record.frames = selection_text(frames);
+  leave_text(metrics, folder.book(), metrics_text(rows, {}, are_lines(metrics.file)));
 }
 
 }  // namespace
@@ -118,9 +114,7 @@ MotionOutcome simulate_motion(const Scene& scene, const MotionRequest& request, 
   outcome.asked = frames.size();
   outcome.inputs = wanted.inputs;
   FrameFolder folder(request.folder, wanted, {}, request.overwrite);
-  const FilmRecord metrics{
-      request.metrics ? film_name_from(request.folder, *request.metrics) : "", selection_text(frames), 0, {}};
-  const bool measure = metrics_missing(request, folder, metrics.file, metrics.frames);
+  SideFile metrics = wanted_metrics(request, folder, frames);
   Simulation(scene, request.execution);  // what a method refuses is said before anything is written
   folder.begin();
   const fs::path file = request.folder / motion_file_name;
@@ -140,7 +134,7 @@ MotionOutcome simulate_motion(const Scene& scene, const MotionRequest& request, 
     }
     progress.finish();
   }
-  if (measure) write_metrics(scene, file, request, metrics, folder);
+  if (metrics.make) write_metrics(scene, file, metrics, folder);
   folder.save();
   outcome.there = writer.records().size();
   if (outcome.there == outcome.asked) folder.remove_checkpoint();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <map>
 #include <vector>
 
@@ -15,17 +16,20 @@ namespace taut {
 /// Frames as files. Wants those that are not there yet.
 class FolderSink final : public FrameSink {
  public:
-  /// `metrics` go into checkpoints; null where nothing is measured.
+  /// `metrics` go into checkpoints; null where nothing is measured. `only_help`: nobody needs the frames but
+  /// a run that goes on; where there is no room for them they go.
   FolderSink(FrameFolder& folder, CheckpointClock& checkpoints, StageClock& clock,
-             const MetricsRecorder* metrics)
+             const MetricsRecorder* metrics, bool only_help)
       : folder_(folder),
         checkpoints_(checkpoints),
         clock_(clock),
         metrics_(metrics),
+        only_help_(only_help),
         there_(folder.manifest().frames) {}
 
   void begin(const StopTest& /*stop*/) override {}
   bool wants(int frame, const std::string& state_hash) const override {
+    if (gone_) return false;
     const auto found = there_.find(frame);
     return found == there_.end() || found->second.state != state_hash;
   }
@@ -34,11 +38,14 @@ class FolderSink final : public FrameSink {
 
  private:
   void keep(Checkpoint checkpoint);
+  void write(const FinishedFrame& frame);
 
   FrameFolder& folder_;
   CheckpointClock& checkpoints_;
   StageClock& clock_;
   const MetricsRecorder* metrics_;
+  const bool only_help_;
+  std::atomic<bool> gone_ = false;
   // A copy: the folder's own list grows in another thread than the one that asks.
   const std::map<int, FrameRecord> there_;
 };

@@ -8,7 +8,6 @@
 #include <system_error>
 
 #include "base/failure.h"
-#include "film_records.h"
 #include "frames/film_frames.h"
 #include "frames/frame_folder.h"
 #include "frames/frame_selection.h"
@@ -18,6 +17,7 @@
 #include "output/content_hash.h"
 #include "output/frame_file.h"
 #include "panel_runs.h"
+#include "side_files.h"
 
 namespace taut {
 namespace {
@@ -162,6 +162,14 @@ void look_beside(const fs::path& folder, const std::map<std::string, Manifest>& 
 }
 
 }  // namespace
+
+bool holds_manifest(const fs::path& folder) {
+  try {
+    return !manifests_in(folder).empty();
+  } catch (const OutputConflict&) {
+    return true;
+  }
+}
 
 Verification verify(const fs::path& output, bool deep, Progress& progress, const StopTest& stop) {
   std::error_code error;

@@ -137,6 +137,12 @@ CaseCount CaseStore::count(const std::vector<std::string>& planned) const {
   return {static_cast<std::size_t>(completed), planned.size()};
 }
 
+bool is_case_file(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string line;
+  return std::getline(stream, line) && is_header(line);
+}
+
 std::string inputs_of_cases(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::string line;

@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 
 #include "base/digits.h"
 #include "chart_caption.h"
 #include "chart_page.h"
-#include "output/atomic_file.h"
 #include "output/chart_figure.h"
+#include "study/study_folder.h"
 
 namespace taut {
 namespace {
@@ -116,29 +117,44 @@ ChartFigure figure_of(const Chart& chart, ErrorKind kind, ChartCost cost) {
   return figure;
 }
 
-}  // namespace
+constexpr std::string_view kind_of_chart = "chart";
 
-void write_chart(const Chart& chart, const std::filesystem::path& folder, const StopTest& stop) {
-  make_folder(folder);
-  write_file(folder / (chart.scene + ".json"), chart_json(chart));
-  write_file(folder / (chart.scene + ".csv"), chart_csv(chart));
-  draw_chart(chart, folder, stop);
-}
-
-void draw_chart(const Chart& chart, const std::filesystem::path& folder, const StopTest& stop) {
+void draw(const Chart& chart, StudyFolder& files, const StopTest& stop) {
   for (const ErrorKind kind : chart.errors)
     for (const ChartCost cost : {ChartCost::seconds, ChartCost::link_solves}) {
       const std::string stem =
           fmt::format("{}-{}{}", chart.scene, name_of(kind), cost == ChartCost::seconds ? "" : "-solves");
-      write_plot(figure_script(figure_of(chart, kind, cost)), folder / stem, stop);
-      write_file(folder / (stem + ".txt"), chart_caption(chart, kind, cost, stem));
+      files.draw(stem, figure_script(figure_of(chart, kind, cost)), stop);
+      files.write(stem + ".txt", chart_caption(chart, kind, cost, stem));
     }
+  files.finish(chart.scene,
+               chart.complete() ? "" : fmt::format("{} cases are still to be run", chart.counts.open));
 }
 
+}  // namespace
+
+void write_chart(const Chart& chart, const std::filesystem::path& folder, const StopTest& stop) {
+  StudyFolder files(folder, kind_of_chart);
+  files.write(chart.scene + ".json", chart_json(chart));
+  files.write(chart.scene + ".csv", chart_csv(chart));
+  files.know(chart.scene + ".cases.jsonl");
+  draw(chart, files, stop);
+}
+
+void draw_chart(const Chart& chart, const std::filesystem::path& folder, const StopTest& stop) {
+  StudyFolder files(folder, kind_of_chart);
+  draw(chart, files, stop);
+}
+
+void write_chart_text(const std::string& name, const std::string& text, const std::filesystem::path& folder) {
+  StudyFolder files(folder, kind_of_chart);
+  files.write(name, text);
+  files.finish({}, {});
+}
 void write_chart_page(const std::vector<Chart>& charts, const std::filesystem::path& folder) {
   std::vector<std::string> data(charts.size());
   std::ranges::transform(charts, data.begin(), chart_json);
-  write_file(folder / "chart.html", chart_page(data));
+  write_chart_text("chart.html", chart_page(data), folder);
 }
 
 }  // namespace taut

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <map>
+#include <utility>
 
+#include "base/failure.h"
 #include "shard_files.h"
 
 namespace taut {
@@ -23,7 +26,8 @@ Groups groups_in(std::span<const fs::path> folders) {
   Groups groups;
   for (const fs::path& folder : folders)
     for (const auto& entry : fs::recursive_directory_iterator(folder))
-      if (const auto name = shard_file_name(entry.path().filename().string()))
+      if (const auto name = shard_file_name(entry.path().filename().string());
+          name && is_case_file(entry.path()))  // metrics of shards are called alike
         groups[fs::relative(entry.path().parent_path(), folder) / name->file].push_back(
             {name->shard, entry.path()});
   return groups;
@@ -59,6 +63,23 @@ MergedCases join(const fs::path& file, const std::vector<ShardCases>& shards) {
 }
 
 }  // namespace
+
+std::vector<ShardsLeft> shards_left(const fs::path& folder) {
+  std::vector<ShardsLeft> all;
+  for (const auto& [file, shards] : groups_in(std::array{folder})) {
+    ShardsLeft left{file, shards.size(), {}, {}};
+    for (const ShardCases& each : shards) {
+      try {
+        read_cases(each.file, "");
+      } catch (const OutputConflict& damage) {
+        left.faults.emplace_back(damage.what());
+      }
+    }
+    if (left.faults.empty()) left.holes = holes_in(shards);
+    all.push_back(std::move(left));
+  }
+  return all;
+}
 
 bool holds_cases(std::span<const fs::path> folders) {
   return !groups_in(folders).empty();

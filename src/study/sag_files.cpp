@@ -6,11 +6,11 @@
 #include <nlohmann/json.hpp>
 
 #include "host/build_info.h"
-#include "output/atomic_file.h"
 #include "output/gnuplot.h"
 #include "output/plot_colour.h"
 #include "output/png.h"
 #include "study/sag_sheet.h"
+#include "study/study_folder.h"
 
 namespace taut {
 namespace {
@@ -81,12 +81,13 @@ std::string sag_json(const Scene& scene, const SagStudy& study) {
 
 void write_sag_files(const Scene& scene, const SagStudy& study, const PictureSettings& settings,
                      const std::filesystem::path& folder, const StopTest& stop) {
-  make_folder(folder);
-  write_file(folder / "sag.csv", csv_table(study));
-  write_file(folder / "sag.json", sag_json(scene, study));
-  const std::vector<std::uint8_t> png = encode_png(sag_sheet(scene, study, settings));
-  write_file(folder / "sag.png", std::as_bytes(std::span(png)));
-  write_plot(sag_plot(scene, study), folder / "sag-over-passes", stop);
+  StudyFolder files(folder, "sag");
+  files.write("sag.csv", csv_table(study));
+  files.write("sag.json", sag_json(scene, study));
+  files.write("sag.png", encode_png(sag_sheet(scene, study, settings)));
+  files.draw("sag-over-passes", sag_plot(scene, study), stop);
+  files.know("shapes.jsonl");
+  files.finish(scene.name, {});
 }
 
 }  // namespace taut

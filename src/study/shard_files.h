@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "frames/shard_file.h"
 #include "host/shard.h"
 #include "study/case_store.h"
 
@@ -13,9 +14,6 @@ namespace taut {
 
 /// The key of the case that a shard adds when all others are done.
 inline constexpr std::string_view end_of_shard = "end of the shard";
-
-/// The file of a shard's cases; of the only one, the file itself.
-std::filesystem::path shard_file(const std::filesystem::path& file, const Shard& shard);
 
 /// The files that shards have left beside a file, in the order of their names.
 std::vector<std::filesystem::path> shard_files(const std::filesystem::path& file);
@@ -27,12 +25,5 @@ void take_over_shards(CaseStore& store, const std::filesystem::path& file, std::
 
 /// Adds the mark that a shard is done, once.
 void mark_end(CaseStore& store, const Shard& shard);
-
-/// What a shard's file is called, in parts; nothing for other files.
-struct ShardFileName {
-  std::string file;  ///< that all become
-  Shard shard;
-};
-std::optional<ShardFileName> shard_file_name(const std::string& name);
 
 }  // namespace taut

@@ -9,8 +9,8 @@
 
 #include "host/build_info.h"
 #include "map_column_json.h"
-#include "output/atomic_file.h"
 #include "stability_plot.h"
+#include "study/study_folder.h"
 
 namespace taut {
 namespace {
@@ -125,15 +125,20 @@ std::string stability_json(const StabilityMaps& maps, const Scene& scene) {
 
 void write_stability_files(const StabilityMaps& maps, const Scene& scene, const std::filesystem::path& folder,
                            const StopTest& stop) {
-  make_folder(folder);
-  write_file(folder / "cells.csv", cells_csv(maps));
-  write_file(folder / "edges.csv", edges_csv(maps));
-  write_file(folder / "maps.json", stability_json(maps, scene));
+  StudyFolder files(folder, "stability");
+  files.write("cells.csv", cells_csv(maps));
+  files.write("edges.csv", edges_csv(maps));
+  files.write("maps.json", stability_json(maps, scene));
   const MapHeading heading = heading_of(maps, scene);
-  for (const MethodMap& map : maps.maps)
-    write_plot(map_plot(maps, map, heading), folder / file_name(map), stop);
-  write_plot(overview_plot(maps, heading), folder / "overview", stop);
-  write_file(folder / "overview.txt", caption_of(maps, scene));
+  for (const MethodMap& map : maps.maps) files.draw(file_name(map), map_plot(maps, map, heading), stop);
+  files.draw("overview", overview_plot(maps, heading), stop);
+  files.write("overview.txt", caption_of(maps, scene));
+  files.know("cases.jsonl");
+  const CaseCount& count = maps.count;
+  files.finish(scene.name, count.completed == count.planned
+                               ? ""
+                               : fmt::format("{} of {} columns are still to be run",
+                                             count.planned - count.completed, count.planned));
 }
 
 }  // namespace taut

@@ -91,8 +91,7 @@ class KilledTest : public ::testing::Test {
         ++killed;
       } else {
         if (!output.empty()) fs::remove_all(folder_ / output);
-        fs::remove_all(folder_ / (film + ".mp4"));
-        fs::remove_all(folder_ / (film + ".jsonl"));
+        for (const std::string ending : {".mp4", ".jsonl", ".csv"}) fs::remove_all(folder_ / (film + ending));
         fs::remove_all(folder_ / "cache");
       }
     }
@@ -102,6 +101,29 @@ class KilledTest : public ::testing::Test {
     EXPECT_EQ(last.status, 0) << last.err;
     // And once more: the same command twice is quiet success.
     EXPECT_EQ(taut(words, environment_).status, 0);
+  }
+  // Runs a command and kills it as soon as a file is there.
+  void kill_at(const Words& words, const std::string& file) {
+    std::string command = "'" TAUT_PROGRAM "'";
+    for (const std::string& word : words) command += fmt::format(" '{}'", word);
+    const std::string script = fmt::format(
+        "{} & process=$!; while kill -0 $process && [ ! -e '{}' ]; do sleep 0.01; done; "
+        "kill -KILL $process; wait $process",
+        command, folder_ / file);
+    EXPECT_EQ(run_program("/bin/sh", {"-c", script}, environment_).status, 137) << "it ended before that";
+  }
+  // And runs it again to its end.
+  Ran run_killed_at(const Words& words, const std::string& file) {
+    kill_at(words, file);
+    return taut(words, environment_);
+  }
+  // Everything in the test's folder that is hidden and no manifest of a film.
+  std::vector<std::string> hidden_folders() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder_.path()))
+      if (entry.is_directory() && entry.path().filename().string().starts_with("."))
+        names.push_back(entry.path().filename().string());
+    return names;
   }
   static std::map<std::string, std::string> files_in(const fs::path& folder, const std::string& ending) {
     std::map<std::string, std::string> files;
@@ -146,13 +168,7 @@ TEST_F(KilledTest, MetricsGoOnFromACheckpoint) {
                  "--size", "320x240", "--json"};
   };
   ASSERT_EQ(taut(words("whole"), environment_).status, 0);
-  std::string command = "'" TAUT_PROGRAM "'";
-  for (const std::string& word : words("killed")) command += fmt::format(" '{}'", word);
-  run_program("/bin/sh",
-              {"-c", fmt::format("{} & while [ ! -e '{}' ] && kill -0 $!; do sleep 0.01; done; kill -KILL $!",
-                                 command, folder_ / "killed/checkpoint.bin")},
-              environment_);
-  const Ran again = taut(words("killed"), environment_);
+  const Ran again = run_killed_at(words("killed"), "killed/checkpoint.bin");
   ASSERT_EQ(again.status, 0) << again.err;
   EXPECT_GT(Json::parse(again.out)["resumed_at_frame"], 1) << again.out;
   EXPECT_TRUE(measured_part(read_file(folder_ / "whole.jsonl")) ==
@@ -217,17 +233,9 @@ TEST_F(KilledTest, Merge) {
 
 // What is done again after a stop is no more than what lies between two checkpoints.
 TEST_F(KilledTest, GoesOnFromTheLastCheckpoint) {
-  const std::string motion = folder_ / "motion";
-  const std::string script =
-      fmt::format("'" TAUT_PROGRAM
-                  "' simulate '{0}' --set world.duration=12 -o '{1}' & process=$!; "
-                  "while kill -0 $process && [ ! -e '{1}/checkpoint.bin' ]; do sleep 0.01; done; "
-                  "kill -KILL $process; wait $process",
-                  scene_, motion);
-  ASSERT_EQ(run_program("/bin/sh", {"-c", script}, environment_).status, 137)
-      << "it ended before a checkpoint";
   const Ran ran =
-      taut({"simulate", scene_, "--set", "world.duration=12", "-o", motion, "--json"}, environment_);
+      run_killed_at({"simulate", scene_, "--set", "world.duration=12", "-o", folder_ / "motion", "--json"},
+                    "motion/checkpoint.bin");
   ASSERT_EQ(ran.status, 0) << ran.err;
   const Json outcome = Json::parse(ran.out);
   EXPECT_GT(outcome["resumed_at_frame"], 1);
@@ -237,21 +245,96 @@ TEST_F(KilledTest, GoesOnFromTheLastCheckpoint) {
 // A film that is gone on with takes the frames before the checkpoint from their files.
 TEST_F(KilledTest, AFilmGoesOnFromTheLastCheckpoint) {
   const auto words = [&](const std::string& name) {
-    return fmt::format("'" TAUT_PROGRAM
-                       "' render '{}' --set world.duration=12 --size 64x48 -o '{}' --film '{}.mp4'",
-                       scene_, folder_ / name, folder_ / name);
+    return Words{"render", scene_,         "--set",  "world.duration=12",      "--size", "64x48",
+                 "-o",     folder_ / name, "--film", folder_ / (name + ".mp4")};
   };
-  const std::string script = fmt::format(
-      "{} & process=$!; while kill -0 $process && [ ! -e '{}/checkpoint.bin' ]; do sleep 0.01; done; "
-      "kill -KILL $process; wait $process",
-      words("killed"), folder_ / "killed");
-  ASSERT_EQ(run_program("/bin/sh", {"-c", script}).status, 137) << "it ended before a checkpoint";
-  const Ran again = run_program("/bin/sh", {"-c", words("killed")});
+  const Ran again = run_killed_at(words("killed"), "killed/checkpoint.bin");
   ASSERT_EQ(again.status, 0) << again.err;
   EXPECT_NE(again.err.find("went on at frame"), std::string::npos) << again.err;
-  ASSERT_EQ(run_program("/bin/sh", {"-c", words("whole")}).status, 0);
+  ASSERT_EQ(taut(words("whole")).status, 0);
   EXPECT_TRUE(read_file(folder_ / "whole.mp4") == read_file(folder_ / "killed.mp4"));
   EXPECT_EQ(files_in(folder_ / "whole", ".png"), files_in(folder_ / "killed", ".png"));
+}
+
+// A film that is asked for alone: its frames are hidden until it is whole.
+TEST_F(KilledTest, FilmWithoutFrames) {
+  const auto words = [&](const std::string& name) {
+    return Words{"render",     scene_,
+                 "--film",     folder_ / (name + ".mp4"),
+                 "--metrics",  folder_ / (name + ".jsonl"),
+                 "--size",     "64x48",
+                 "--threads",  "2",
+                 "--no-frames"};
+  };
+  ASSERT_NO_FATAL_FAILURE(run_whole(words("whole")));
+  kill_often(words("killed"), "", "killed", 6);
+  EXPECT_TRUE(read_file(folder_ / "whole.mp4") == read_file(folder_ / "killed.mp4"));
+  EXPECT_TRUE(measured_part(read_file(folder_ / "whole.jsonl")) ==
+              measured_part(read_file(folder_ / "killed.jsonl")));
+  EXPECT_EQ(hidden_folders(), std::vector<std::string>());
+  EXPECT_EQ(taut({"verify", folder_ / "killed.mp4"}).status, 0);
+}
+
+TEST_F(KilledTest, AFilmAloneGoesOnFromTheLastCheckpoint) {
+  const auto words = [&](const std::string& name, const Words& more = {}) {
+    Words all{"render", scene_,  "--no-frames", "--film",           folder_ / (name + ".mp4"),
+              "--size", "64x48", "--set",       "world.duration=12"};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  const std::string checkpoint = ".killed.mp4.frames/checkpoint.bin";
+  const Ran again = run_killed_at(words("killed"), checkpoint);
+  ASSERT_EQ(again.status, 0) << again.err;
+  EXPECT_NE(again.err.find("went on at frame"), std::string::npos) << again.err;
+  ASSERT_EQ(taut(words("whole")).status, 0);
+  EXPECT_TRUE(read_file(folder_ / "whole.mp4") == read_file(folder_ / "killed.mp4"));
+  EXPECT_EQ(hidden_folders(), std::vector<std::string>());
+  // What another scene has left is of no use to this one, and goes with the film.
+  fs::remove(folder_ / "killed.mp4");
+  fs::remove(folder_ / ".killed.mp4.json");
+  kill_at(words("killed", {"--set", "world.drag=1"}), checkpoint);
+  ASSERT_EQ(taut(words("killed")).status, 0);
+  EXPECT_TRUE(read_file(folder_ / "whole.mp4") == read_file(folder_ / "killed.mp4"));
+  EXPECT_EQ(hidden_folders(), std::vector<std::string>());
+}
+
+// A run that fails would fail again: nothing is kept of it.
+TEST_F(KilledTest, AFilmOfARunThatFailsLeavesNothing) {
+  const std::string scene = folder_.write("jumping.toml", scene_with_a_jumping_pin());
+  for (const Words& words :
+       {Words{"render", scene, "--method", "rattle", "--no-frames", "--film", folder_ / "f.mp4"},
+        Words{"export", scene, "--method", "rattle", "-o", folder_ / "f.csv"}}) {
+    EXPECT_EQ(taut(words).status, 1);
+    EXPECT_FALSE(fs::exists(folder_ / words.back()));
+    EXPECT_EQ(hidden_folders(), std::vector<std::string>());
+  }
+}
+
+TEST_F(KilledTest, Export) {
+  const auto words = [&](const std::string& name) {
+    return Words{"export", scene_, "-o", folder_ / (name + ".csv"), "--threads", "1"};
+  };
+  ASSERT_NO_FATAL_FAILURE(run_whole(words("whole")));
+  kill_often(words("killed"), "", "killed", 7);
+  EXPECT_TRUE(read_file(folder_ / "whole.csv") == read_file(folder_ / "killed.csv"));
+  EXPECT_EQ(hidden_folders(), std::vector<std::string>());
+}
+
+// What is exported again is read where it was kept, simulated before that and after the checkpoint.
+TEST_F(KilledTest, AnExportGoesOnFromTheLastCheckpoint) {
+  for (const std::string table : {"masses", "energy"}) {
+    const auto words = [&](const std::string& name) {
+      return Words{"export",  scene_, "--set", "world.duration=12",
+                   "--table", table,  "-o",    folder_ / (name + table + ".csv")};
+    };
+    const Ran again = run_killed_at(words("killed"), ".killed" + table + ".csv.motion/checkpoint.bin");
+    ASSERT_EQ(again.status, 0) << again.err;
+    EXPECT_NE(again.err.find("the run goes on at"), std::string::npos) << again.err;
+    ASSERT_EQ(taut(words("whole")).status, 0);
+    EXPECT_TRUE(read_file(folder_ / ("whole" + table + ".csv")) ==
+                read_file(folder_ / ("killed" + table + ".csv")));
+    EXPECT_EQ(hidden_folders(), std::vector<std::string>());
+  }
 }
 
 }  // namespace

@@ -4,9 +4,11 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
+#include "metrics_lines.h"
 #include "program.h"
 
 // One job dealt out to several processes gives what one process gives.
@@ -15,7 +17,6 @@ namespace taut::testing {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
 using Words = std::vector<std::string>;
 
 class ShardTest : public ::testing::Test {
@@ -31,6 +32,17 @@ class ShardTest : public ::testing::Test {
       if (entry.path().extension() == ".png")
         pictures[entry.path().filename().string()] = read_file(entry.path());
     return pictures;
+  }
+  // Metrics but for what stages took, which differs from run to run.
+  static std::string measured(const std::string& text, const std::string& ending) {
+    if (ending == ".jsonl") return measured_part(text);
+    std::string kept;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+      for (std::size_t stage = 0; stage < 7; ++stage) line.resize(line.rfind(','));
+      kept += line + "\n";
+    }
+    return kept;
   }
   Json states_in(const std::string& name) const {
     return Json::parse(read_file(fs::path(folder_ / name) / "manifest.json"))["frames"];
@@ -189,6 +201,52 @@ TEST_F(ShardTest, ChartsAndSagSheetsToo) {
   EXPECT_EQ(taut({"merge", folder_ / "sag-parts"}).status, 0);
   ASSERT_EQ(sag("sag-parts", {}), 0);
   EXPECT_EQ(read_file(folder_ / "sag/sag.csv"), read_file(folder_ / "sag-parts/sag.csv"));
+}
+
+// What one process measures stands in the shards' files, too, frame by frame.
+TEST_F(ShardTest, MetricsOfShardsAreJoined) {
+  for (const std::string ending : {".jsonl", ".csv"}) {
+    const std::string file = "m" + ending;
+    ASSERT_EQ(taut(render("frames", {"--overwrite", "--metrics", folder_ / ("whole" + ending)})).status, 0);
+    for (const std::string part : {"1/3", "2/3", "3/3"})
+      ASSERT_EQ(taut(render("parts", {"--metrics", folder_ / file, "--shard", part})).status, 0);
+    EXPECT_FALSE(fs::exists(folder_ / file));
+    EXPECT_TRUE(fs::exists(folder_ / ("m-2-of-3" + ending)));
+    const Words merge{"merge", folder_ / "parts", "--metrics", folder_ / file};
+    for (int again = 0; again < 2; ++again) {
+      const Ran ran = taut(merge);
+      EXPECT_EQ(ran.status, 0) << ran.err;
+      EXPECT_EQ(measured(read_file(folder_ / ("whole" + ending)), ending),
+                measured(read_file(folder_ / file), ending));
+    }
+    EXPECT_EQ(taut({"verify", folder_ / "parts"}).status, 0);
+    fs::remove(folder_ / ("m-2-of-3" + ending));
+    EXPECT_EQ(taut({"verify", folder_ / "parts"}).status, 0) << "it stands in the file they became";
+    fs::remove(folder_ / file);
+    EXPECT_EQ(taut({"verify", folder_ / "parts"}).status, 5) << "that one is known";
+    fs::remove_all(folder_ / "parts");
+  }
+}
+
+TEST_F(ShardTest, HolesInMetricsAreNamed) {
+  const auto part = [&](const std::string& which) {
+    return render("parts", {"--metrics", folder_ / "m.jsonl", "--shard", which});
+  };
+  for (const std::string which : {"1/3", "2/3", "3/3"}) ASSERT_EQ(taut(part(which)).status, 0);
+  const std::string whole = read_file(folder_ / "m-2-of-3.jsonl");
+  std::string edited = whole;
+  edited[whole.find("total_energy") + 16] ^= 1;
+  folder_.write("m-2-of-3.jsonl", edited);
+  const Words merge{"merge", folder_ / "parts", "--metrics", folder_ / "m.jsonl"};
+  const Ran ran = taut(merge);
+  EXPECT_EQ(ran.status, 3);
+  EXPECT_NE(ran.err.find("metrics of frames 11-20 are missing"), std::string::npos) << ran.err;
+  EXPECT_FALSE(fs::exists(folder_ / "m.jsonl"));
+  // Who has another kind of file is told; who makes it anew goes on.
+  EXPECT_EQ(taut({"merge", folder_ / "parts", "--metrics", folder_ / "m.csv"}).status, 2);
+  folder_.write("m-2-of-3.jsonl", whole);
+  EXPECT_EQ(taut(merge).status, 0);
+  EXPECT_EQ(lines_of(read_file(folder_ / "m.jsonl")).size(), 30U);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -15,6 +16,12 @@
 #include "output/manifest.h"
 
 namespace taut {
+
+/// A manifest that films and metrics are entered in.
+struct Book {
+  Manifest* manifest = nullptr;  ///< null: nobody keeps one
+  std::function<void()> save;    ///< brings it to the disk; throws RunFailure
+};
 
 /// The manifests in a folder by their files' names: manifest.json, and those of shards. Throws OutputConflict
 /// where one is none of ours.
@@ -62,12 +69,10 @@ class FrameFolder {
   /// Takes the checkpoint away, where there is one.
   void remove_checkpoint() const;
 
-  /// Remembers a film (or a file of metrics), beside others of the same name.
-  void add_film(const FilmRecord& film, FilmList list = &Manifest::films) {
-    (manifest_.*list).push_back(film);
+  /// The manifest, for films and metrics to be entered in.
+  Book book() {
+    return {&manifest_, [this] { save(); }};
   }
-  /// Forgets all of that one's name but it.
-  void keep_only(const FilmRecord& film, FilmList list = &Manifest::films);
   /// Remembers which steps could only be made in parts (Manifest::halvings).
   void set_halvings(const std::string& halvings) { manifest_.halvings = halvings; }
   /// Remembers what draws (GlContext::description()).
@@ -76,10 +81,15 @@ class FrameFolder {
   void set_colour_range(double top) { manifest_.colour_range = top; }
   /// Brings the manifest on disk up to date. Throws RunFailure.
   void save();
+  /// Takes all of it away, for good; only of a hidden one.
+  void remove();
+  /// Whether there is a checkpoint, as begin() or write() left it.
+  bool has_checkpoint() const;
 
  private:
   std::filesystem::path manifest_file() const { return folder_ / manifest_name(shard_); }
   std::filesystem::path checkpoint_file() const;
+  std::string lock_name() const;
   void take_over(const Manifest& there);
   void remove_frames() const;
 
@@ -88,6 +98,7 @@ class FrameFolder {
   Shard shard_;
   bool overwrite_;
   std::optional<std::string> seen_;  // the bytes of the manifest that was looked at
+  bool gone_ = false;
   std::unique_ptr<FolderLock> lock_;
   std::unique_ptr<CheckpointClock> clock_;       // of the manifest
   std::vector<std::filesystem::path> unsynced_;  // frames since the last checkpoint

@@ -54,6 +54,7 @@ struct RenderOutcome {
   bool film_kept = false;
   int resumed_at = 0;    ///< the frame that the simulation went on at, from a checkpoint; 0: it began anew
   bool stopped = false;  ///< told to stop before the end; no film then
+  bool goes_on = false;  ///< running the same again goes on from what there is
   double seconds = 0.0;
   std::string inputs;                ///< hash of everything that decides what the frames look like
   std::string last_state_hash;       ///< of the last frame's state; empty when nothing was simulated

@@ -15,7 +15,11 @@ struct Verification {
   std::vector<std::string> notes;   ///< what is allowed, and good to know
   std::size_t checked = 0;          ///< frames, or moments of a motion
   std::vector<int> missing;         ///< frames of the whole film that nothing was asked of yet
+  std::vector<std::string> holes;   ///< of a study: what is still to be run, a line each
 };
+
+/// Whether a folder has a manifest of frames or of a motion, whole or not.
+bool holds_manifest(const std::filesystem::path& folder);
 
 /// Holds a folder of frames or of a motion, or a film, against its manifest: every file that it names is
 /// there, whole, and has the content it says; the manifest agrees with itself; nothing lies beside that it

@@ -52,6 +52,9 @@ class CaseStore {
   std::map<std::string, std::string, std::less<>> results_;
 };
 
+/// Whether a file begins as that of a CaseStore does.
+bool is_case_file(const std::filesystem::path& file);
+
 /// The inputs that a file of a CaseStore was made from. Throws OutputConflict where it is no such file.
 std::string inputs_of_cases(const std::filesystem::path& file);
 

@@ -29,6 +29,9 @@ void write_chart(const Chart& chart, const std::filesystem::path& folder, const 
 /// RunFailure, and Interrupted.
 void draw_chart(const Chart& chart, const std::filesystem::path& folder, const StopTest& stop = {});
 
+/// Writes a text that is of several charts into their folder. Throws RunFailure.
+void write_chart_text(const std::string& name, const std::string& text, const std::filesystem::path& folder);
+
 /// Writes chart.html, one page with all charts in it. Throws RunFailure.
 void write_chart_page(const std::vector<Chart>& charts, const std::filesystem::path& folder);
 
