@@ -1,5 +1,5 @@
 #version 330 core
-// Cloth: two sides, a pattern, a hem, folds that darken in their hollows, a little light through the weave.
+// Cloth: two sides, a pattern, a hem, folds that darken where they hide the sky, a little light through the weave.
 #include "lighting.glsl"
 
 // FRONT_COLOUR, BACK_COLOUR: as displayed. PATTERN: 1 checker, 2 woven; without it the cloth is plain. PAINTED:
@@ -7,7 +7,7 @@
 
 in vec3 to_eye;
 in vec3 front_normal;
-in float hollowness;
+in vec2 openness;  // how bright light from all around makes front and back
 in vec3 from_edges;  // xy: from upright and level borders, in hems; z: 0 at a tear, 1 away from it
 #ifdef SHADOWS
 in vec2 in_light_map;
@@ -92,8 +92,7 @@ void main() {
 #else
   const float reaching = 1.0;
 #endif
-  float hollow = hollowness * side;
-  float open = 1.0 - 0.55 * max(hollow, 0.0) + 0.22 * max(-hollow, 0.0);
+  float open = gl_FrontFacing ? openness.x : openness.y;
 
   float diffuse = max((facing + 0.15) / 1.15, 0.0) * reaching;
   float through = 0.16 * max(-facing, 0.0);

@@ -4,7 +4,7 @@
 
 layout(location = 0) in vec3 position;  // m
 layout(location = 1) in vec3 normal;    // unit vector, front side
-layout(location = 2) in float hollow;   // −1 to 1: above 0 where the front side is hollow
+layout(location = 2) in vec2 open;      // how bright light from all around makes front and back
 layout(location = 3) in vec2 pattern_position;
 layout(location = 4) in vec3 edge_distances;  // xy: from upright and level borders, in hems; z: 0 at a tear, else 1
 layout(location = 5) in vec2 light_position;  // in cells of the light map
@@ -16,7 +16,7 @@ uniform vec3 texels_a_cell, light_texel;  // xy: texels of the light map a cell;
 
 out vec3 to_eye;
 out vec3 front_normal;
-out float hollowness;
+out vec2 openness;
 out vec3 from_edges;
 #ifdef SHADOWS
 out vec2 in_light_map;
@@ -34,7 +34,7 @@ flat out vec3 front_colour, back_colour;
 void main() {
   to_eye = eye.xyz - position;
   front_normal = normal;
-  hollowness = hollow;
+  openness = open;
   from_edges = edge_distances;
 #ifdef SHADOWS
   in_light_map = (light_position * texels_a_cell.xy + 0.5) * light_texel.xy;

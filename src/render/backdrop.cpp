@@ -3,6 +3,7 @@
 #include "geometry/picture_space.h"
 #include "geometry/view_matrices.h"
 #include "layers.h"
+#include "patch_uniforms.h"
 
 namespace taut {
 namespace {
@@ -36,20 +37,31 @@ const std::shared_ptr<const Image>& LitBackdrop::image() {
 std::shared_ptr<LitBackdrop> Backdrop::lit(const Geometry& geometry, const FrameBlock& block) {
   if (kept_ && kept_->shows(geometry)) return kept_;
   target_.begin({0, 0, size_.width, size_.height});
-  for (const GroundPatch& patch : geometry.grounds) draw(ground(patch, false), patch);
+  for (const GroundPatch& patch : geometry.grounds) {
+    ground(patch, false).use();
+    draw(ground(patch, false), patch);
+  }
   draw_sky(geometry, block);
   kept_ = std::make_shared<LitBackdrop>(geometry, target_.end());
   return kept_;
 }
 
-Readback Backdrop::shaded(const Geometry& geometry, const Region& region) {
+Readback Backdrop::shaded(const Geometry& geometry, const Region& region, const GroundShades& shades) {
   target_.begin(region);
-  for (const GroundPatch& patch : geometry.grounds) draw(ground(patch, true), patch);
+  for (std::size_t i = 0; i < geometry.grounds.size(); ++i) {
+    const GroundPatch& patch = geometry.grounds[i];
+    const bool shaded = takes_shadows(patch);
+    const Program& program = ground(patch, shaded);
+    program.use();
+    if (shaded) shades.bind(program, i);
+    draw(program, patch);
+  }
   return target_.end();
 }
 
 void Backdrop::draw_depth(const Geometry& geometry) const {
   gl_->colour_mask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  ground_depth_.use();
   for (const GroundPatch& patch : geometry.grounds) draw(ground_depth_, patch);
   gl_->colour_mask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
@@ -69,11 +81,7 @@ const Program& Backdrop::ground(const GroundPatch& patch, bool shadows) {
 }
 
 void Backdrop::draw(const Program& program, const GroundPatch& patch) const {
-  program.use();
-  program.set("normal", patch.normal);
-  program.set("along", patch.along);
-  program.set("across", patch.across);
-  program.set("foot_and_height", glm::vec3(patch.foot, patch.height));
+  set_patch(program, patch);
   if (patch.colour)
     program.set("tint", glm::vec3((*patch.colour)[0], (*patch.colour)[1], (*patch.colour)[2]));
   gl_->bind_vertex_array(no_attributes_.name());

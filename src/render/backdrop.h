@@ -9,6 +9,7 @@
 #include "geometry/region.h"
 #include "gl/program.h"
 #include "gl/targets.h"
+#include "ground_shades.h"
 
 namespace taut {
 
@@ -40,9 +41,9 @@ class Backdrop {
   /// The whole backdrop without shadows. Where it isn't kept it is drawn with the block that is loaded.
   std::shared_ptr<LitBackdrop> lit(const Geometry& geometry, const FrameBlock& block);
 
-  /// The grounds in a region of it, with shadows from the block and the map that are loaded: empty where
-  /// there is no ground. Of a cut-out, the shadows alone.
-  Readback shaded(const Geometry& geometry, const Region& region);
+  /// The grounds in a region of it, seen with the block that is loaded, in the shade that was worked out for
+  /// them: empty where there is no ground. Of a cut-out, the shade alone.
+  Readback shaded(const Geometry& geometry, const Region& region, const GroundShades& shades);
 
   /// Gives whatever is being drawn the depth of the grounds.
   void draw_depth(const Geometry& geometry) const;

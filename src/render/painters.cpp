@@ -15,7 +15,7 @@ constexpr std::array sphere_attributes{Attribute{4, GL_FLOAT, offsetof(SphereRec
                                        Attribute{4, GL_UNSIGNED_BYTE, offsetof(SphereRecord, colour)}};
 constexpr std::array surface_attributes{Attribute{3, GL_FLOAT, offsetof(SurfaceVertex, position)},
                                         Attribute{3, GL_FLOAT, offsetof(SurfaceVertex, normal)},
-                                        Attribute{1, GL_FLOAT, offsetof(SurfaceVertex, hollow)}};
+                                        Attribute{2, GL_FLOAT, offsetof(SurfaceVertex, open)}};
 constexpr std::array place_attributes{Attribute{2, GL_FLOAT, offsetof(SurfacePlace, pattern)},
                                       Attribute{3, GL_FLOAT, offsetof(SurfacePlace, edges)},
                                       Attribute{2, GL_FLOAT, offsetof(SurfacePlace, light)}};

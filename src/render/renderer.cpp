@@ -11,6 +11,7 @@
 #include "geometry/palette.h"
 #include "geometry/region.h"
 #include "gl/frame_uniforms.h"
+#include "ground_shades.h"
 #include "layers.h"
 #include "lines_painter.h"
 #include "painters.h"
@@ -59,6 +60,16 @@ Defines constants_of(const Look& look, const RenderSettings& settings) {
           constant("BACK_COLOUR", vector_of(look.surface_back_colour))};
 }
 
+// Wider by up to so many pixels that it begins and ends on whole tiles of the dither's pattern: else the
+// pattern would move with it.
+Region on_tiles(const Region& region, Size picture) {
+  constexpr int tile = 4;
+  const int left = region.left / tile * tile, top = region.top / tile * tile;
+  const int right = std::min((region.left + region.width + tile - 1) / tile * tile, picture.width);
+  const int bottom = std::min((region.top + region.height + tile - 1) / tile * tile, picture.height);
+  return {left, top, right - left, bottom - top};
+}
+
 std::vector<Readback> one(Readback readback) {
   std::vector<Readback> readbacks;
   readbacks.push_back(std::move(readback));
@@ -99,11 +110,13 @@ class Renderer::Drawing {
   bool casts_shadows() const { return shadow_map_.has_value(); }
   void upload(const Geometry& geometry);
   void draw_shadow_map(const Geometry& geometry);
+  void draw_casters(const Geometry& geometry) const;
   FrameBlock camera(const Geometry& geometry, const glm::vec2& shift = glm::vec2(0.0F)) const;
   std::vector<Readback> passes(const Geometry& geometry, const Region& region);
   void draw_opaque(const Geometry& geometry) const;
   void draw_lattice() const;
   Region shadows_on_grounds(const Geometry& geometry) const;
+  Readback shaded_grounds(const Geometry& geometry, const Region& region);
 
   Gl gl_;
   ShaderLibrary library_;
@@ -113,7 +126,8 @@ class Renderer::Drawing {
   FrameUniforms uniforms_;
   PictureTarget target_;
   std::optional<ShadowMap> shadow_map_;
-  FrameBlock light_;  // of the shadow map
+  std::optional<GroundShades> ground_shades_;  // where there are shadows
+  FrameBlock light_;                           // of the shadow map
   SquarePainter spheres_, links_;
   SurfacePainter surface_;
   RodPainter rods_;
@@ -143,7 +157,10 @@ Renderer::Drawing::Drawing(const GlContext& context, const Look& look, const Ren
       lines_(gl_, library_, defines_of(settings, look)),
       backdrop_(gl_, library_, settings.size, settings.transparent, settings.bits) {
   if (look.colour_by != ColourBy::plain) font_ = Font::load();
-  if (look.shadows && settings.shadow_map_size > 0) shadow_map_.emplace(gl_, settings.shadow_map_size);
+  if (look.shadows && settings.shadow_map_size > 0) {
+    shadow_map_.emplace(gl_, settings.shadow_map_size);
+    ground_shades_.emplace(gl_, library_, settings.shadow_map_size);
+  }
 }
 
 void Renderer::Drawing::submit(const Geometry& geometry) {
@@ -160,7 +177,7 @@ void Renderer::Drawing::submit(const Geometry& geometry) {
   uniforms_.load(block);
   if (!settings_.transparent) frame.backdrop = backdrop_.lit(geometry, block);
   if (const Region region = shadows_on_grounds(geometry); !region.empty())
-    frame.parts.push_back({region, one(backdrop_.shaded(geometry, region))});
+    frame.parts.push_back({region, one(shaded_grounds(geometry, region))});
   if (const Region region = drawn_region(geometry, settings_.size); !region.empty())
     frame.parts.push_back({region, passes(geometry, region)});
   frame.done = gl_.fence(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
@@ -202,6 +219,17 @@ void Renderer::Drawing::draw_shadow_map(const Geometry& geometry) {
   gl_.clear(GL_DEPTH_BUFFER_BIT);
   gl_.enable(GL_POLYGON_OFFSET_FILL);
   gl_.polygon_offset(1.5F, 2.0F);
+  draw_casters(geometry);
+  gl_.disable(GL_POLYGON_OFFSET_FILL);
+  shadow_map_->bind_for_reading();
+  if (geometry.surface.vertices.empty()) return;
+  const FrameBlock block = camera(geometry);
+  uniforms_.load(block);
+  surface_.draw_light(geometry.surface, block,
+                      1.0F / (reach_of(geometry.pose) * pixel_height(geometry.pose, settings_.size)));
+}
+
+void Renderer::Drawing::draw_casters(const Geometry& geometry) const {
   // The shadow of a dense lattice is all moiré; the cloth's own triangles say the same, cleanly.
   if (geometry.surface.vertices.empty()) {
     spheres_.draw(Pass::shadow);
@@ -217,13 +245,6 @@ void Renderer::Drawing::draw_shadow_map(const Geometry& geometry) {
   torsos_.draw(Pass::shadow);
   boxes_.draw(Pass::shadow);
   meshes_.draw(Pass::shadow);
-  gl_.disable(GL_POLYGON_OFFSET_FILL);
-  shadow_map_->bind_for_reading();
-  if (geometry.surface.vertices.empty()) return;
-  const FrameBlock block = camera(geometry);
-  uniforms_.load(block);
-  surface_.draw_light(geometry.surface, block,
-                      1.0F / (reach_of(geometry.pose) * pixel_height(geometry.pose, settings_.size)));
 }
 
 FrameBlock Renderer::Drawing::camera(const Geometry& geometry, const glm::vec2& shift) const {
@@ -277,7 +298,27 @@ Region Renderer::Drawing::shadows_on_grounds(const Geometry& geometry) const {
   for (const GroundPatch& ground : geometry.grounds)
     region =
         around(region, shadow_region(geometry, ground, settings_.size, blur_in_texels * light_.shadow.z));
-  return region;
+  return region.empty() ? region : on_tiles(region, settings_.size);
+}
+
+Readback Renderer::Drawing::shaded_grounds(const Geometry& geometry, const Region& region) {
+  const FrameBlock block = camera(geometry);
+  for (std::size_t i = 0; i < geometry.grounds.size(); ++i) {
+    const GroundPatch& ground = geometry.grounds[i];
+    if (!takes_shadows(ground)) continue;
+    std::optional<FrameBlock> contact;
+    if (ground.solid && is_near(ground, geometry)) {
+      const ShadowMap& map = ground_shades_->contact_map();
+      contact = contact_block(geometry, ground, map.size());
+      uniforms_.load(*contact);
+      map.bind();
+      gl_.clear(GL_DEPTH_BUFFER_BIT);
+      draw_casters(geometry);
+    }
+    uniforms_.load(block);
+    ground_shades_->draw(geometry, i, region, settings_.size, block, *shadow_map_, contact);
+  }
+  return backdrop_.shaded(geometry, region, *ground_shades_);
 }
 
 Renderer::Renderer(GlContext& context, const Look& look, const RenderSettings& settings,

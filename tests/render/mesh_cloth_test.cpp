@@ -118,7 +118,7 @@ TEST(MeshCloth, TearsLoseNoneOfIt) {
         const auto geometry = geometry_at(scene, pixels);
         EXPECT_NEAR(area_of(geometry->surface), whole_area, 0.02 * whole_area) << quads << pixels << percent;
         for (const SurfaceVertex& vertex : geometry->surface.vertices) {
-          EXPECT_TRUE(std::isfinite(vertex.position.x + vertex.normal.x + vertex.hollow));
+          EXPECT_TRUE(std::isfinite(vertex.position.x + vertex.normal.x + vertex.open.x));
           EXPECT_NEAR(std::abs(vertex.normal.z), 1.0F, 1e-3F);
         }
       }

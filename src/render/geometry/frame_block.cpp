@@ -33,6 +33,47 @@ float rung_above(float length) {
   return std::exp2(std::ceil(8.0F * std::log2(length)) / 8.0F);
 }
 
+Bounds bounds_after(const glm::mat4& turn, const Bounds& bounds) {
+  Bounds after{glm::vec3(1e30F), glm::vec3(-1e30F)};
+  for (const glm::vec3& corner : corners(bounds)) {
+    const glm::vec3 seen = turn * glm::vec4(corner, 1.0F);
+    after.low = glm::min(after.low, seen);
+    after.high = glm::max(after.high, seen);
+  }
+  return after;
+}
+
+/// What a map shows, in the axes that it is seen in (m).
+struct Square {
+  glm::vec2 middle;
+  float width, texel;
+};
+
+/// Of few sizes, and moved only by so many texels as masks average, which keep to a place, so that edges of
+/// shadows stay still.
+Square square_around(const Bounds& seen, float least_width, int map_size, const glm::dvec3& fixed) {
+  const float width = rung_above(least_width);
+  const float texel = width / static_cast<float>(map_size);
+  const double step = double(texel) * mask_span;
+  const glm::dvec2 steps = glm::round((0.5 * glm::dvec2(seen.low + seen.high) - glm::dvec2(fixed)) / step);
+  return {glm::vec2(glm::dvec2(fixed) + steps * step), width, texel};
+}
+
+/// A pass seen by parallel lines of sight in turned axes, between two distances along them (m).
+FrameBlock parallel_block(const Geometry& geometry, const glm::mat4& turn, const Square& square, float near,
+                          float far) {
+  const glm::vec2 low = square.middle - 0.5F * square.width, high = square.middle + 0.5F * square.width;
+  const glm::vec3 back(turn[0][2], turn[1][2], turn[2][2]);
+  FrameBlock block;
+  block.view_projection = glm::ortho(low.x, high.x, low.y, high.y, near, far) * turn;
+  // Far enough that lines of sight are as good as parallel.
+  const glm::vec3 centre = 0.5F * (geometry.bounds.low + geometry.bounds.high);
+  block.eye = glm::vec4(centre + back * (1000.0F * square.width), 1.0F);
+  block.forward = glm::vec4(-back, 0.0F);
+  block.shadow = {0.0F, square.texel / square.width, square.texel, 0.0F};
+  return block;
+}
+
 }  // namespace
 
 float reach_of(const CameraPose& pose) {
@@ -79,36 +120,35 @@ FrameBlock camera_block(const Geometry& geometry, Size size, const glm::vec2& sh
 FrameBlock light_block(const Geometry& geometry, int map_size) {
   const glm::vec3 to_light = direction_to_light();
   const glm::mat4 turn = glm::lookAt(glm::vec3(0.0F), -to_light, glm::vec3(0, 1, 0));
-  glm::vec3 low(1e30F), high(-1e30F);
-  for (const glm::vec3& corner : corners(geometry.bounds)) {
-    const glm::vec3 seen = turn * glm::vec4(corner, 1.0F);
-    low = glm::min(low, seen);
-    high = glm::max(high, seen);
-  }
-  // Square, of few sizes, and moved by whole texels only, so that edges of shadows stay still.
-  const float map_width = 1.02F * rung_above(std::max({high.x - low.x, high.y - low.y, 1e-3F}));
-  const float texel = map_width / static_cast<float>(map_size);
-  const glm::dvec3 fixed = glm::dmat4(turn) * glm::dvec4(geometry.anchor, 1.0);
-  const glm::dvec2 steps = glm::floor((0.5 * glm::dvec2(low + high) - glm::dvec2(fixed)) / double(texel));
-  const glm::vec2 middle(glm::dvec2(fixed) + steps * double(texel));
-  const float half = 0.5F * map_width;
-  const float slack = 0.01F * (high.z - low.z) + 4.0F * texel;
-  const glm::mat4 projection = glm::ortho(middle.x - half, middle.x + half, middle.y - half, middle.y + half,
-                                          -high.z - slack, -low.z + slack);
-  FrameBlock block;
-  block.view_projection = projection * turn;
-  // Far enough that lines of sight are as good as parallel to the light.
-  const glm::vec3 centre = 0.5F * (geometry.bounds.low + geometry.bounds.high);
-  block.eye = glm::vec4(centre + to_light * (1000.0F * map_width), 1.0F);
-  block.forward = glm::vec4(-to_light, 0.0F);
-  block.shadow = {0.0F, 1.0F / static_cast<float>(map_size), texel, 0.0F};
-  return block;
+  const Bounds seen = bounds_after(turn, geometry.bounds);
+  const glm::vec3 size = seen.high - seen.low;
+  const Square square = square_around(seen, 1.02F * std::max({size.x, size.y, 1e-3F}), map_size,
+                                      glm::dvec3(glm::dmat4(turn) * glm::dvec4(geometry.anchor, 1.0)));
+  const float slack = 0.01F * size.z + 4.0F * square.texel;
+  return parallel_block(geometry, turn, square, -seen.high.z - slack, -seen.low.z + slack);
+}
+
+float contact_height(const CameraPose& pose) {
+  return 0.08F * reach_of(pose);
+}
+
+FrameBlock contact_block(const Geometry& geometry, const GroundPatch& ground, int map_size) {
+  const glm::mat4 turn = glm::lookAt(glm::vec3(0.0F), ground.normal, ground.across);
+  const Bounds seen = bounds_after(turn, geometry.bounds);
+  const glm::vec3 size = seen.high - seen.low;
+  const float height = contact_height(geometry.pose);
+  const Square square =
+      square_around(seen, 1.02F * std::max({size.x, size.y, 1e-3F}) + 2.0F * height, map_size,
+                    glm::dvec3(glm::dmat4(turn) * glm::dvec4(geometry.anchor, 1.0)));
+  return parallel_block(geometry, turn, square, -ground.height - height, -ground.height + height);
+}
+
+glm::mat4 to_unit() {
+  return glm::translate(glm::mat4(1.0F), glm::vec3(0.5F)) * glm::scale(glm::mat4(1.0F), glm::vec3(0.5F));
 }
 
 void add_shadow(FrameBlock& camera, const FrameBlock& light) {
-  const glm::mat4 to_unit =
-      glm::translate(glm::mat4(1.0F), glm::vec3(0.5F)) * glm::scale(glm::mat4(1.0F), glm::vec3(0.5F));
-  camera.shadow_matrix = to_unit * light.view_projection;
+  camera.shadow_matrix = to_unit() * light.view_projection;
   camera.shadow = {1.0F, light.shadow.y, light.shadow.z, 0.0F};
 }
 

@@ -36,6 +36,20 @@ FrameBlock camera_block(const Geometry& geometry, Size size, const glm::vec2& sh
 /// the eye moves.
 FrameBlock light_block(const Geometry& geometry, int map_size);
 
+/// Texels of a depth map that one of the mask of a ground stands for, each way.
+inline constexpr int mask_span = 4;
+
+/// How high above a ground (m) things still hide the sky from it.
+float contact_height(const CameraPose& pose);
+
+/// What a pass needs that shows a ground from below, as far as it is hidden from the sky: a map of
+/// `map_size`² texels around all that is near it, its coordinates along the ground's axes, depth 0 as far
+/// below the ground as 1 is above.
+FrameBlock contact_block(const Geometry& geometry, const GroundPatch& ground, int map_size);
+
+/// From clip space to a map's coordinates and depth, all 0 to 1.
+glm::mat4 to_unit();
+
 /// Lets the camera's pass read the map that was drawn with `light`.
 void add_shadow(FrameBlock& camera, const FrameBlock& light);
 

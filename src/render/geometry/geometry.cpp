@@ -151,14 +151,6 @@ std::shared_ptr<const Geometry> GeometryMaker::make(const State& state, const Ca
   add_loads(geometry->lines, drawn, space, size);
   if (trails != nullptr) add_trails(geometry->lines, drawn, space, *trails);
   if (exact) add_ghost(geometry->lines, drawn, space.seen(*exact));
-  if (cloth) {
-    parts_->topology = surface_topology(*cloth, state, topology);
-    geometry->surface = surface_mesh(*cloth, *topology, seen, space, values, geometry->scale);
-    const Vec3 down = space.direction(model.gravity.stableNormalized());
-    const std::vector<RodRecord> threads =
-        loose_threads(*cloth, *topology, geometry->surface, seen, to_glm(down), look);
-    geometry->links.insert(geometry->links.end(), threads.begin(), threads.end());
-  }
   for (std::size_t i = 0; i < model.colliders.size(); ++i) {
     if (!appearance.solids[i]) continue;
     const Collider& collider = model.colliders[i];
@@ -175,6 +167,15 @@ std::shared_ptr<const Geometry> GeometryMaker::make(const State& state, const Ca
     const GroundPatch patch = ground_patch(ground, space, lines_a_period * grid_spacing(pose));
     // From below there is no ground in the way of the scene.
     if (patch.height > 0.0F) geometry->grounds.push_back(patch);
+  }
+  if (cloth) {
+    parts_->topology = surface_topology(*cloth, state, topology);
+    geometry->surface = surface_mesh(*cloth, *topology, seen, space, values, geometry->scale,
+                                     {geometry->bodies, geometry->grounds});
+    const Vec3 down = space.direction(model.gravity.stableNormalized());
+    const std::vector<RodRecord> threads =
+        loose_threads(*cloth, *topology, geometry->surface, seen, to_glm(down), look);
+    geometry->links.insert(geometry->links.end(), threads.begin(), threads.end());
   }
   geometry->bounds = bounds_of(*geometry);
   const Vec3 place = space.place(anchor);

@@ -20,6 +20,11 @@ struct GroundPatch {
   bool operator==(const GroundPatch&) const = default;
 };
 
+/// How far above a ground a place is (m).
+inline float height_above(const GroundPatch& ground, const glm::vec3& place) {
+  return glm::dot(ground.normal, place) + ground.height;
+}
+
 /// The patch of a ground whose grid lines pass through the world's origin and repeat at a distance (m).
 GroundPatch ground_patch(const Ground& ground, const PictureSpace& space, double period);
 

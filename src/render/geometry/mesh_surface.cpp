@@ -33,7 +33,7 @@ SurfaceVertex rounded(const Corners& corners, const glm::vec3& share, float how_
     on_planes += share[k] * (flat - glm::dot(flat - place, up) * up);
     normal += share[k] * up;
   }
-  return {glm::mix(flat, on_planes, how_far), unit(normal), 0.0F};
+  return {glm::mix(flat, on_planes, how_far), unit(normal), glm::vec2(1.0F)};
 }
 
 Vec3 to_eigen(const glm::vec3& v) {
@@ -155,7 +155,7 @@ class MeshShaper {
   SurfaceVertex torn(const TornVertex& vertex) const {
     const TornTriangle& of = topology_.torn[vertex.torn];
     if (!vertex.middle) return of_corner(of, vertex.corner, vertex.share);
-    SurfaceVertex mean{glm::vec3(0.0F), glm::vec3(0.0F), 0.0F};
+    SurfaceVertex mean{glm::vec3(0.0F), glm::vec3(0.0F), glm::vec2(1.0F)};
     float count = 0.0F;
     for (const Index corner : joined(of, vertex.corner)) {
       const SurfaceVertex seen = of_corner(of, corner, vertex.share);
@@ -163,7 +163,7 @@ class MeshShaper {
       mean.normal += seen.normal;
       count += 1.0F;
     }
-    return {mean.position / count, unit(mean.normal), 0.0F};
+    return {mean.position / count, unit(mean.normal), glm::vec2(1.0F)};
   }
 
   // The corners that whole edges lead to, itself among them.

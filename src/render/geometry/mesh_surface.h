@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <type_traits>
 #include <vector>
 
 #include "geometry/mesh_topology.h"
@@ -16,6 +17,15 @@ std::vector<SurfaceVertex> mesh_vertices(const MeshCloth& cloth, const MeshTopol
                                          const std::vector<glm::vec3>& at_start, const glm::mat3& to_picture,
                                          std::vector<glm::vec3>& normals);
 
+/// A part of so many, in each component of a value.
+template <class Value>
+Value share_as(Index part, Index parts) {
+  if constexpr (std::is_same_v<Value, double>)
+    return static_cast<double>(part) / static_cast<double>(parts);
+  else
+    return Value(static_cast<float>(part) / static_cast<float>(parts));
+}
+
 /// What masses have, for each vertex of meshes: between corners in proportion, on torn triangles that of the
 /// corner.
 template <class Value>
@@ -26,8 +36,8 @@ void add_mesh_values(const MeshCloth& cloth, const MeshTopology& topology, const
     const auto& [a, b, c] = cloth.triangles[triangle].masses;
     for (Index down = 0; down <= parts; ++down)
       for (Index across = 0; across + down <= parts; ++across) {
-        const auto right = static_cast<Value>(across) / static_cast<Value>(parts);
-        const auto below = static_cast<Value>(down) / static_cast<Value>(parts);
+        const auto right = share_as<Value>(across, parts);
+        const auto below = share_as<Value>(down, parts);
         values.push_back(of_mass[a] + right * (of_mass[b] - of_mass[a]) + below * (of_mass[c] - of_mass[a]));
       }
   }

@@ -19,4 +19,8 @@ Palette palette(Theme theme);
 /// Unit vector towards the key light, the same in every theme.
 glm::vec3 direction_to_light();
 
+/// How wide the key light is: tangent of the angle between its middle and its rim, seen from anywhere. A
+/// penumbra is twice that wide a metre of the light's way from what throws the shadow.
+inline constexpr float light_spread = 0.03F;
+
 }  // namespace taut

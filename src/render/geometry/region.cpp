@@ -52,10 +52,6 @@ class Surrounding {
   glm::vec2 low_{1e9F}, high_{-1e9F};
 };
 
-float height_above(const GroundPatch& ground, const glm::vec3& place) {
-  return glm::dot(ground.normal, place) + ground.height;
-}
-
 }  // namespace
 
 Region around(const Region& a, const Region& b) {
@@ -79,10 +75,14 @@ Region shadow_region(const Geometry& geometry, const GroundPatch& ground, Size s
   const float steepness = glm::dot(to_light, ground.normal);
   // Light that grazes the ground or comes from below it throws shadows without an end.
   if (steepness < 0.02F) return {0, 0, size.width, size.height};
+  const float near = contact_height(geometry.pose);
   Surrounding surrounding(geometry.pose, size);
   for_each_ball(geometry, [&](const glm::vec3& centre, float radius) {
-    surrounding.add(centre - to_light * (height_above(ground, centre) / steepness),
-                    radius / steepness + blur);
+    const float height = height_above(ground, centre), way = height / steepness;
+    const float penumbra = 2.0F * light_spread * std::max(way + radius, 0.0F);
+    surrounding.add(centre - to_light * way, (radius + penumbra) / steepness + blur);
+    if (ground.solid && height - radius < near)
+      surrounding.add(centre - ground.normal * height, radius + 1.5F * near);
   });
   return surrounding.region();
 }

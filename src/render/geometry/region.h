@@ -18,7 +18,8 @@ Region around(const Region& a, const Region& b);
 /// Where in a picture of that size something is drawn of all but the grounds: nothing outside is.
 Region drawn_region(const Geometry& geometry, Size size);
 
-/// Where in a picture of that size shadows fall on a ground whose edges are `blur` (m) wide.
+/// Where in a picture of that size a ground is in shade, of the light or of the sky; the sharpest edges of
+/// shadows are `blur` (m) wide.
 Region shadow_region(const Geometry& geometry, const GroundPatch& ground, Size size, float blur);
 
 /// Whether a ground may hide a part of what is drawn.

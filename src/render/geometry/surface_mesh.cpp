@@ -30,44 +30,6 @@ void add_normals(SurfaceMesh& mesh, const SurfaceTopology& topology) {
   }
 }
 
-/// Calls with (vertex, neighbour) both ways along each edge of each triangle.
-template <typename Visit>
-void for_each_neighbour(const std::vector<Index>& indices, const Visit& visit) {
-  for (std::size_t i = 0; i < indices.size(); i += 3) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Index from = indices[i + k], to = indices[i + (k + 1) % 3];
-      visit(from, to);
-      visit(to, from);
-    }
-  }
-}
-
-/// How far the neighbours' mean lies in front of each mass, in edge lengths, averaged once more over the
-/// neighbours: a cheap stand-in for how much of the sky a fold hides.
-std::vector<float> hollows_of(const std::vector<Index>& triangles, const std::vector<glm::vec3>& positions,
-                              const std::vector<glm::vec3>& normals) {
-  constexpr float gain = 14.0F;
-  const std::size_t count = positions.size();
-  std::vector<glm::vec4> sum(count, glm::vec4(0.0F));  // towards the neighbours; w: lengths
-  for_each_neighbour(triangles, [&](Index from, Index to) {
-    const glm::vec3 edge = positions[to] - positions[from];
-    sum[from] += glm::vec4(edge, glm::length(edge));
-  });
-  std::vector<float> own(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    if (sum[i].w > 0.0F) own[i] = gain * glm::dot(glm::vec3(sum[i]), normals[i]) / sum[i].w;
-  }
-  std::vector<glm::vec2> around(count, glm::vec2(0.0F));  // sum of the neighbours' values, their number
-  for_each_neighbour(triangles, [&](Index from, Index to) { around[from] += glm::vec2(own[to], 1.0F); });
-  std::vector<float> hollows(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const float neighbours = around[i].y > 0.0F ? around[i].x / around[i].y : 0.0F;
-    const float hollow = 0.5F * (own[i] + neighbours);
-    hollows[i] = hollow / (1.0F + std::abs(hollow));
-  }
-  return hollows;
-}
-
 /// Calls visit(number of the vertex, row and column in cells) for the vertices of sheets, in their order.
 template <typename Visit>
 void for_each_sheet_vertex(const Cloth& cloth, const Visit& visit) {
@@ -88,8 +50,8 @@ std::vector<Value> at_vertices(const Cloth& cloth, const SurfaceTopology& topolo
   const Index across = cloth.fineness.across, down = cloth.fineness.down;
   for_each_sheet_vertex(cloth, [&](std::size_t, const SheetLattice& sheet, Index x, Index y) {
     const Index row = y / down, column = x / across;
-    const auto right = static_cast<Value>(x % across) / static_cast<Value>(across);
-    const auto below = static_cast<Value>(y % down) / static_cast<Value>(down);
+    const auto right = share_as<Value>(x % across, across);
+    const auto below = share_as<Value>(y % down, down);
     Value value = of_mass[sheet.mass(row, column)];
     if (x % across != 0) value += right * (of_mass[sheet.mass(row, column + 1)] - value);
     if (y % down != 0) {
@@ -122,7 +84,7 @@ void add_vertices(SurfaceMesh& mesh, const Cloth& cloth, const SurfaceTopology& 
                   const std::vector<glm::vec3>& masses, const PictureSpace& space) {
   mesh.vertices.reserve(topology.places->size());
   const auto add = [&mesh](const std::vector<glm::vec3>& places) {
-    for (const glm::vec3& place : places) mesh.vertices.push_back({place, glm::vec3(0.0F), 0.0F});
+    for (const glm::vec3& place : places) mesh.vertices.push_back({place, glm::vec3(0.0F), glm::vec2(1.0F)});
   };
   const std::span<const glm::vec3> all(masses);
   for (const SheetLattice& sheet : cloth.sheets)
@@ -151,16 +113,18 @@ void add_tints(SurfaceMesh& mesh, const Cloth& cloth, const SurfaceTopology& top
 }
 
 /// `normals` has those of the masses of meshes.
-void add_hollows(SurfaceMesh& mesh, const Cloth& cloth, const SurfaceTopology& topology,
-                 const std::vector<glm::vec3>& masses, std::vector<glm::vec3> normals) {
+void add_openness(SurfaceMesh& mesh, const Cloth& cloth, const SurfaceTopology& topology,
+                  const std::vector<glm::vec3>& masses, std::vector<glm::vec3> normals,
+                  const Surroundings& around) {
   const Index across = cloth.fineness.across, down = cloth.fineness.down;
   for_each_sheet_vertex(cloth, [&](std::size_t vertex, const SheetLattice& sheet, Index x, Index y) {
     if (x % across == 0 && y % down == 0)
       normals[sheet.mass(y / down, x / across)] = mesh.vertices[vertex].normal;
   });
-  const std::vector<float> hollows =
-      at_vertices(cloth, topology, hollows_of(topology.mass_triangles, masses, normals));
-  for (std::size_t i = 0; i < hollows.size(); ++i) mesh.vertices[i].hollow = hollows[i];
+  const std::vector<glm::vec2> open = at_vertices(
+      cloth, topology,
+      openness_of({topology.mass_triangles, masses, normals, cloth.groups}, around, cloth.nearby));
+  for (std::size_t i = 0; i < open.size(); ++i) mesh.vertices[i].open = open[i];
 }
 
 }  // namespace
@@ -204,7 +168,8 @@ std::vector<glm::vec4> light_places(const SurfaceMesh& mesh, const glm::mat4& to
 }
 
 SurfaceMesh surface_mesh(const Cloth& cloth, const SurfaceTopology& topology, const State& seen,
-                         const PictureSpace& space, const Quantity& quantity, const ColourScale& scale) {
+                         const PictureSpace& space, const Quantity& quantity, const ColourScale& scale,
+                         const Surroundings& around) {
   SurfaceMesh mesh;
   mesh.indices = topology.indices;
   mesh.places = topology.places;
@@ -223,7 +188,7 @@ SurfaceMesh surface_mesh(const Cloth& cloth, const SurfaceTopology& topology, co
   }
   add_tints(mesh, cloth, topology);
   add_normals(mesh, topology);
-  add_hollows(mesh, cloth, topology, masses, std::move(normals));
+  if (mesh.colours.empty()) add_openness(mesh, cloth, topology, masses, std::move(normals), around);
   return mesh;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/colour_scale.h"
+#include "geometry/openness.h"
 #include "geometry/picture_space.h"
 #include "geometry/surface_topology.h"
 #include "model/model.h"
@@ -24,9 +25,11 @@ struct SurfaceMesh {
 };
 
 /// The mesh of a state as it is seen in a picture space. Normals are smoothed over the triangles about each
-/// vertex, hollows over the cells about each mass.
+/// vertex; what hides light from the cloth is worked out for each mass, where the cloth has colours of its
+/// own.
 SurfaceMesh surface_mesh(const Cloth& cloth, const SurfaceTopology& topology, const State& seen,
-                         const PictureSpace& space, const Quantity& quantity, const ColourScale& scale);
+                         const PictureSpace& space, const Quantity& quantity, const ColourScale& scale,
+                         const Surroundings& around);
 
 /// For each place of spread sheets, row by row, where the shadow map is to be looked up for it, and the depth
 /// that light must reach there. `to_map` takes picture space to the map, `to_light` is a unit vector, and

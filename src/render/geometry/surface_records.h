@@ -31,7 +31,7 @@ struct SurfaceTint {
 struct SurfaceVertex {
   glm::vec3 position;  ///< m
   glm::vec3 normal;    ///< unit vector, on the front side
-  float hollow;        ///< −1 to 1: above 0 where the front side is hollow, below where it bulges
+  glm::vec2 open;      ///< how bright light from all around makes its front (x) and its back (y)
 };
 
 /// A number from −1 to 1 that looks like chance, always the same for the same seeds.

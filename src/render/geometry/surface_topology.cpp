@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "geometry/tears.h"
 #include "geometry/view_matrices.h"
@@ -97,6 +98,37 @@ void add_whole_cell(Growing& surface, const FineCell& cell, const std::array<Ind
                                  cell.vertex(across + 1, down + 1), cell.vertex(across + 1, down)});
 }
 
+// How far things hide light from cloth, in cells: as far as a fold is deep.
+constexpr float cells_nearby = 4.0F;
+
+float largest_cell(const Cloth& cloth) {
+  float cell = cloth.meshes.part_length * static_cast<float>(cloth.meshes.parts);
+  for (const SheetLattice& sheet : cloth.sheets)
+    cell = std::max(cell, std::sqrt(sheet.cell.x * sheet.cell.y));
+  return cell;
+}
+
+// In sheets the first of each four, in meshes that of a neighbour or a mass itself; what tears changes none.
+std::vector<Index> groups_of(const Cloth& cloth) {
+  std::vector<Index> groups(cloth.at_start.size());
+  std::iota(groups.begin(), groups.end(), Index{0});
+  for (const SheetLattice& sheet : cloth.sheets)
+    for (Index row = 0; row < sheet.rows; ++row)
+      for (Index column = 0; column < sheet.columns; ++column)
+        groups[sheet.mass(row, column)] = sheet.mass(row / 2 * 2, column / 2 * 2);
+  std::vector<bool> taken(groups.size(), false);
+  for (const MeshTriangle& triangle : cloth.meshes.triangles) {
+    const Index first = triangle.masses[0];
+    if (groups[first] != first) continue;
+    taken[first] = true;
+    for (const Index mass : triangle.masses) {
+      if (!taken[mass]) groups[mass] = first;
+      taken[mass] = true;
+    }
+  }
+  return groups;
+}
+
 std::vector<bool> broken_links(const State& state) {
   std::vector<bool> broken(state.broken_at.size());
   for (std::size_t link = 0; link < broken.size(); ++link) broken[link] = state.broken(link);
@@ -133,6 +165,8 @@ Cloth cloth_of(const Model& model, const State& start, const Look& look, float p
   for (std::size_t mass = 0; mass < start.position.size(); ++mass)
     cloth.at_start.push_back(to_glm(start.position.at(mass)));
   cloth.spread = std::make_shared<const SpreadSheets>(spread_sheets(cloth));
+  cloth.groups = groups_of(cloth);
+  cloth.nearby = cells_nearby * largest_cell(cloth);
   return cloth;
 }
 

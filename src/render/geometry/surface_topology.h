@@ -81,6 +81,8 @@ struct Cloth {
   std::vector<SurfaceTint> tints;   ///< of each sheet; empty where all have the look's colours
   std::vector<glm::vec3> at_start;  ///< m, each mass, in the world's axes
   std::shared_ptr<const SpreadSheets> spread;
+  std::vector<Index> groups;  ///< for each mass, one near it that stands for it where light is hidden
+  float nearby = 0.0F;        ///< m, so far cloth and other things hide light from it
 };
 
 Cloth cloth_of(const Model& model, const State& start, const Look& look, float pixels_a_metre);

@@ -46,6 +46,7 @@ class Gl {
   PFNGLBLENDFUNCSEPARATEPROC blend_function = load("glBlendFuncSeparate");
   PFNGLCOLORMASKPROC colour_mask = load("glColorMask");
   PFNGLVIEWPORTPROC viewport = load("glViewport");
+  PFNGLSCISSORPROC scissor = load("glScissor");
   PFNGLCLEARCOLORPROC clear_colour = load("glClearColor");
   PFNGLCLEARPROC clear = load("glClear");
   PFNGLDEPTHFUNCPROC depth_function = load("glDepthFunc");
@@ -83,6 +84,7 @@ class Gl {
   PFNGLTEXIMAGE2DPROC texture_image = load("glTexImage2D");
   PFNGLTEXPARAMETERIPROC texture_parameter = load("glTexParameteri");
   PFNGLTEXPARAMETERFVPROC texture_parameters = load("glTexParameterfv");
+  PFNGLGENERATEMIPMAPPROC make_mipmap = load("glGenerateMipmap");
 
   PFNGLGENFRAMEBUFFERSPROC make_framebuffers = load("glGenFramebuffers");
   PFNGLDELETEFRAMEBUFFERSPROC delete_framebuffers = load("glDeleteFramebuffers");

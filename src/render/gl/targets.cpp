@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <string>
 
 #include "base/failure.h"
@@ -59,6 +60,10 @@ void turn_alpha_round(Image& image) {
   for (std::size_t pixel = 0; pixel < image.pixels.size(); pixel += bytes)
     for (std::size_t i = pixel + 3 * sample; i < pixel + bytes; ++i)
       image.pixels[i] = static_cast<std::uint8_t>(255 - image.pixels[i]);
+}
+
+int power_of_two_above(int side) {
+  return static_cast<int>(std::bit_ceil(static_cast<unsigned>(side)));
 }
 
 // Targets change in steps of the tiles in which Mesa's software drivers draw, so that seldom one is made
@@ -141,7 +146,10 @@ LightMap::LightMap(const Gl& gl) : gl_(&gl), texture_(make_texture(gl)), framebu
 
 void LightMap::begin(Size size) {
   if (size.width > room_.width || size.height > room_.height) {
-    room_ = {std::max(size.width, room_.width), std::max(size.height, room_.height)};
+    // Powers of two: else coordinates would be rounded otherwise the larger it has grown, and pictures differ by what
+    // was drawn before.
+    room_ = {std::max(power_of_two_above(size.width), room_.width),
+             std::max(power_of_two_above(size.height), room_.height)};
     bind_for_reading();
     gl_->texture_image(GL_TEXTURE_2D, 0, GL_RGBA8, room_.width, room_.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                        nullptr);
@@ -155,6 +163,11 @@ void LightMap::begin(Size size) {
   }
   gl_->bind_framebuffer(GL_FRAMEBUFFER, framebuffer_.name());
   gl_->viewport(0, 0, size.width, size.height);
+}
+
+void LightMap::begin(Size size, const glm::ivec2& corner, Size picture) {
+  begin(size);
+  gl_->viewport(-corner.x, -corner.y, picture.width, picture.height);
 }
 
 void LightMap::bind_for_reading() const {
@@ -195,6 +208,54 @@ void ShadowMap::bind() const {
 
 void ShadowMap::bind_for_reading() const {
   gl_->active_texture(GL_TEXTURE0);
+  gl_->bind_texture(GL_TEXTURE_2D, texture_.name());
+  gl_->texture_parameter(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+}
+
+void ShadowMap::bind_for_depths() const {
+  gl_->active_texture(GL_TEXTURE2);
+  gl_->bind_texture(GL_TEXTURE_2D, texture_.name());
+  gl_->texture_parameter(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_NONE);
+}
+
+MaskMap::MaskMap(const Gl& gl, int size)
+    : gl_(&gl), size_(size), texture_(make_texture(gl)), framebuffer_(make_framebuffer(gl)) {
+  bind_for_reading(GL_TEXTURE2);
+  constexpr int levels = 6;
+  for (int level = 0; level <= levels; ++level) {
+    const int side = std::max(size >> level, 1);
+    gl.texture_image(GL_TEXTURE_2D, level, GL_RGBA8, side, side, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  }
+  gl.texture_parameter(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, levels);
+  gl.texture_parameter(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
+  gl.texture_parameter(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  gl.texture_parameter(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
+  gl.texture_parameter(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
+  const std::array<float, 4> nothing{0.0F, 0.0F, 0.0F, 0.0F};
+  gl.texture_parameters(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, nothing.data());
+  gl.bind_framebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+  gl.framebuffer_texture(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_.name(), 0);
+  check_framebuffer(gl);
+  check_gl(gl, "making a mask of a ground");
+}
+
+void MaskMap::begin(const glm::ivec2& corner, const glm::ivec2& size) const {
+  gl_->bind_framebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+  gl_->viewport(0, 0, size_, size_);
+  gl_->clear_colour(0.0F, 0.0F, 0.0F, 0.0F);
+  gl_->clear(GL_COLOR_BUFFER_BIT);
+  gl_->enable(GL_SCISSOR_TEST);
+  gl_->scissor(corner.x, corner.y, size.x, size.y);
+}
+
+void MaskMap::end() const {
+  gl_->disable(GL_SCISSOR_TEST);
+  bind_for_reading(GL_TEXTURE2);
+  gl_->make_mipmap(GL_TEXTURE_2D);
+}
+
+void MaskMap::bind_for_reading(GLenum unit) const {
+  gl_->active_texture(unit);
   gl_->bind_texture(GL_TEXTURE_2D, texture_.name());
 }
 

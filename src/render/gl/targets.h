@@ -65,6 +65,9 @@ class LightMap {
   /// Directs drawing into so many texels of it, all of which have to be drawn. It grows where they are more
   /// than it has.
   void begin(Size size);
+  /// Directs drawing into it so that a whole picture would cover `picture` texels, `corner` of them the
+  /// first.
+  void begin(Size size, const glm::ivec2& corner, Size picture);
   /// Lets shaders read it as light_map.
   void bind_for_reading() const;
   /// From texels to coordinates.
@@ -86,6 +89,27 @@ class ShadowMap {
   void bind() const;
   /// Lets shaders read it as shadow_map.
   void bind_for_reading() const;
+  /// Lets shaders read its depths from texture unit 2, instead.
+  void bind_for_depths() const;
+  int size() const { return size_; }
+
+ private:
+  const Gl* gl_;
+  int size_;
+  GlObject texture_, framebuffer_;
+};
+
+/// A square texture of two numbers a texel that can be averaged over parts of any size, 0 outside.
+class MaskMap {
+ public:
+  MaskMap(const Gl& gl, int size);
+
+  /// Directs drawing here, into so many texels from a corner on. All others are 0.
+  void begin(const glm::ivec2& corner, const glm::ivec2& size) const;
+  /// Ends that: works out averages, over up to 64 texels each way.
+  void end() const;
+  /// Lets shaders read it from a texture unit.
+  void bind_for_reading(GLenum unit) const;
   int size() const { return size_; }
 
  private:
