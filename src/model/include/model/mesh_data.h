@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -7,6 +8,9 @@
 #include "base/vectors.h"
 
 namespace taut {
+
+/// Which axis of a mesh file points upwards.
+enum class UpAxis : std::uint8_t { y, z };
 
 /// A surface as it is read from a file and placed in a scene: every corner is there once, and used; no edge
 /// has more than two faces; neighbours run around alike where that can be; faces have three corners or four.
