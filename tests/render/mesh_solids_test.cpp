@@ -75,7 +75,7 @@ TEST(DrawnMeshSolids, ABallOfFacesLooksAsABall) {
   with_facets.mesh_solids = {solid_of(ball_surface(0.8, 0))};
   const Image expected = picture_of(with_ball, lit_look());
   EXPECT_LE(share_that_differs(expected, picture_of(with_mesh, lit_look()), 3), 0.01);
-  EXPECT_GE(share_that_differs(expected, picture_of(with_facets, lit_look()), 3), 0.1);
+  EXPECT_GE(share_that_differs(expected, picture_of(with_facets, lit_look()), 3), 0.05);
 }
 
 TEST(DrawnMeshSolids, ARingHasAHoleAndTurns) {
