@@ -46,11 +46,12 @@ struct Surfaces {
 };
 
 /// A box around the origin, of quads that look outwards.
-inline Surfaces box_surface(const Vec3& size) {
+inline Surfaces box_surface(const Vec3& edges) {
   Surfaces box;
   for (int corner = 0; corner < 8; ++corner)
-    box.vertices.emplace_back(0.5 * size.x() * (corner & 1 ? 1 : -1), 0.5 * size.y() * (corner & 2 ? 1 : -1),
-                              0.5 * size.z() * (corner & 4 ? 1 : -1));
+    box.vertices.emplace_back(0.5 * edges.x() * (corner & 1 ? 1 : -1),
+                              0.5 * edges.y() * (corner & 2 ? 1 : -1),
+                              0.5 * edges.z() * (corner & 4 ? 1 : -1));
   box.faces = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
   return box;
 }

@@ -5,6 +5,7 @@ grid.obj    a rectangle of quads
 disk.obj    a round cloth of triangles around random points (Bowyer, 1981; Watson, 1981)
 poncho.obj  a ring of triangles: a round cloth with a hole for the neck
 shirt.obj   a tube of quads with two holes for the arms; groups: collar and hem
+knot.obj    a closed tube of quads along a trefoil knot: a solid
 """
 
 import math
@@ -173,9 +174,38 @@ def shirt(folder, around=54, rows=22, radius=0.24, height=0.62):
           [("collar", collar), ("hem", hem)])
 
 
+def knot(folder, around=132, across=16, size=0.15, tube=0.082):
+    """A trefoil about the y axis; the tube's cross-sections stand on the curve as its principal normals do."""
+    middle = lambda t: (
+        size * (2 + math.cos(3 * t)) * math.cos(2 * t),
+        -size * 1.25 * math.sin(3 * t),
+        size * (2 + math.cos(3 * t)) * math.sin(2 * t),
+    )
+    minus = lambda a, b: tuple(x - y for x, y in zip(a, b))
+    cross = lambda a, b: (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+    unit = lambda a: tuple(x / math.hypot(*a) for x in a)
+    vertices, faces = [], []
+    step = 1e-3
+    for i in range(around):
+        t = 2 * math.pi * i / around
+        at, before, after = middle(t), middle(t - step), middle(t + step)
+        along = unit(minus(after, before))
+        bend = tuple(b + a - 2 * m for b, a, m in zip(before, after, at))
+        side = unit(cross(along, bend))
+        out = cross(side, along)
+        for j in range(across):
+            angle = 2 * math.pi * j / across
+            vertices.append(
+                tuple(m + tube * (math.cos(angle) * o + math.sin(angle) * s) for m, o, s in zip(at, out, side))
+            )
+            here, there = i * across, (i + 1) % around * across
+            faces.append((here + j, here + (j + 1) % across, there + (j + 1) % across, there + j))
+    write(folder / "knot.obj", "a closed tube along a trefoil knot, 1.06 m wide", vertices, faces)
+
+
 def main():
     folder = Path(sys.argv[1] if len(sys.argv) > 1 else Path(__file__).parent)
-    for make in (grid, disk, poncho, shirt):
+    for make in (grid, disk, poncho, shirt, knot):
         make(folder)
 
 

@@ -4,6 +4,8 @@
 
 #include <cstdlib>
 
+#include "geometry/solid_surface.h"
+#include "model/solid_mesh.h"
 #include "small_scenes.h"
 #include "solid_texts.h"
 
@@ -75,7 +77,18 @@ TEST(DrawnMeshSolids, ABallOfFacesLooksAsABall) {
   with_facets.mesh_solids = {solid_of(ball_surface(0.8, 0))};
   const Image expected = picture_of(with_ball, lit_look());
   EXPECT_LE(share_that_differs(expected, picture_of(with_mesh, lit_look()), 3), 0.01);
-  EXPECT_GE(share_that_differs(expected, picture_of(with_facets, lit_look()), 3), 0.1);
+  EXPECT_GE(share_that_differs(expected, picture_of(with_facets, lit_look()), 3), 0.05);
+}
+
+TEST(DrawnMeshSolids, NormalsAreSmoothOverFlatEdgesAndCreasedOverSharpOnes) {
+  const SolidSurface ball = solid_surface(*testing::shape_of(ball_surface(1.0, 2)).mesh);
+  EXPECT_EQ(ball.vertices.size(), 162U);
+  for (const SolidVertex& vertex : ball.vertices)
+    EXPECT_GT(glm::dot(glm::normalize(vertex.position), vertex.normal), 0.999F);
+  const SolidSurface box = solid_surface(*testing::shape_of(box_surface({1.0, 2.0, 3.0})).mesh);
+  EXPECT_EQ(box.vertices.size(), 24U);
+  for (const SolidVertex& vertex : box.vertices)
+    EXPECT_NEAR(glm::dot(glm::abs(vertex.normal), glm::vec3(1.0F)), 1.0F, 1e-6F) << "along an axis";
 }
 
 TEST(DrawnMeshSolids, ARingHasAHoleAndTurns) {

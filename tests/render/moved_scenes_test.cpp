@@ -22,6 +22,7 @@ struct Move {
   Sphere of(const Sphere& sphere) const { return {place(sphere.centre), sphere.radius}; }
   Capsule of(const Capsule& capsule) const { return {place(capsule.a), place(capsule.b), capsule.radius}; }
   Box of(const Box& box) const { return {place(box.centre), box.half_size, turn * box.axes}; }
+  MeshSolid of(const MeshSolid& solid) const { return {solid.mesh, place(solid.centre), turn * solid.axes}; }
 };
 
 Built moved(Built scene, const Move& move) {

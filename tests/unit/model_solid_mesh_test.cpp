@@ -161,8 +161,8 @@ TEST(SolidMesh, EdgesThatStandOutAreRidges) {
 // By places all over the triangle, which can only be farther away.
 TEST(SolidMesh, LeastDistancesOfTriangles) {
   const MeshSolid solid = shape_of(ring_surface(0.5, 0.2, 24, 12));
-  const std::vector<Vec3> corners = strewn_places(600, 0.9, 8), shifts = strewn_places(600, 0.25, 9);
-  int crossing = 0, outside = 0;
+  const std::vector<Vec3> corners = strewn_places(600, 0.9, 8), shifts = strewn_places(600, 0.6, 9);
+  int crossing = 0, outside = 0, with_corners_outside = 0;
   for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
     const std::array<Vec3, 3> triangle{corners[i], corners[i] + shifts[i], corners[i] + shifts[i + 1]};
     double sampled = std::numeric_limits<double>::infinity();
@@ -179,12 +179,15 @@ TEST(SolidMesh, LeastDistancesOfTriangles) {
       ++outside;
     } else if (sampled < -0.01) {
       EXPECT_LT(least, 0.0);
+      with_corners_outside += std::ranges::all_of(
+          triangle, [&](const Vec3& corner) { return nearest_surface(solid, corner).distance > 0.0; });
       EXPECT_NEAR(least, sampled, 0.02);
       ++crossing;
     }
   }
   EXPECT_GT(outside, 20);
   EXPECT_GT(crossing, 20);
+  EXPECT_GT(with_corners_outside, 5);
 }
 
 }  // namespace

@@ -33,8 +33,8 @@ float rung_above(float length) {
   return std::exp2(std::ceil(8.0F * std::log2(length)) / 8.0F);
 }
 
-Bounds bounds_after(const glm::mat4& turn, const Bounds& bounds) {
-  Bounds after{glm::vec3(1e30F), glm::vec3(-1e30F)};
+DrawnBox bounds_after(const glm::mat4& turn, const DrawnBox& bounds) {
+  DrawnBox after{glm::vec3(1e30F), glm::vec3(-1e30F)};
   for (const glm::vec3& corner : corners(bounds)) {
     const glm::vec3 seen = turn * glm::vec4(corner, 1.0F);
     after.low = glm::min(after.low, seen);
@@ -51,7 +51,7 @@ struct Square {
 
 /// Of few sizes, and moved only by so many texels as masks average, which keep to a place, so that edges of
 /// shadows stay still.
-Square square_around(const Bounds& seen, float least_width, int map_size, const glm::dvec3& fixed) {
+Square square_around(const DrawnBox& seen, float least_width, int map_size, const glm::dvec3& fixed) {
   const float width = rung_above(least_width);
   const float texel = width / static_cast<float>(map_size);
   const double step = double(texel) * mask_span;
@@ -120,7 +120,7 @@ FrameBlock camera_block(const Geometry& geometry, Size size, const glm::vec2& sh
 FrameBlock light_block(const Geometry& geometry, int map_size) {
   const glm::vec3 to_light = direction_to_light();
   const glm::mat4 turn = glm::lookAt(glm::vec3(0.0F), -to_light, glm::vec3(0, 1, 0));
-  const Bounds seen = bounds_after(turn, geometry.bounds);
+  const DrawnBox seen = bounds_after(turn, geometry.bounds);
   const glm::vec3 size = seen.high - seen.low;
   const Square square = square_around(seen, 1.02F * std::max({size.x, size.y, 1e-3F}), map_size,
                                       glm::dvec3(glm::dmat4(turn) * glm::dvec4(geometry.anchor, 1.0)));
@@ -134,7 +134,7 @@ float contact_height(const CameraPose& pose) {
 
 FrameBlock contact_block(const Geometry& geometry, const GroundPatch& ground, int map_size) {
   const glm::mat4 turn = glm::lookAt(glm::vec3(0.0F), ground.normal, ground.across);
-  const Bounds seen = bounds_after(turn, geometry.bounds);
+  const DrawnBox seen = bounds_after(turn, geometry.bounds);
   const glm::vec3 size = seen.high - seen.low;
   const float height = contact_height(geometry.pose);
   const Square square =
