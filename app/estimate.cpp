@@ -22,13 +22,14 @@ std::string size_note(const Counts& counts) {
                      format_bytes(bytes), duration_text(seconds));
 }
 
-std::string run_note(const Scene& scene) {
-  const double bytes = bytes_needed(count(scene.description));
+std::string run_note(const Scene& scene, double picture_bytes) {
+  const double bytes = bytes_needed(count(scene.description)) + picture_bytes;
   const double seconds = predicted_seconds(scene.model, scene.settings, scene.duration);
   if (seconds < long_simulation && bytes < much_memory) return {};
   const std::string memory = bytes < much_memory ? "" : fmt::format("{} and ", format_bytes(bytes));
-  return fmt::format("to simulate all {:.4g} s with {} takes about {}{}", scene.duration,
-                     scene.settings.method, memory, duration_text(seconds));
+  return fmt::format("to simulate all {:.4g} s with {} takes about {}{}{}", scene.duration,
+                     scene.settings.method, memory, duration_text(seconds),
+                     picture_bytes > 0.0 ? "; drawing comes beside it, and is timed as it goes" : "");
 }
 
 }  // namespace taut

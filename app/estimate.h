@@ -12,7 +12,8 @@ std::string size_note(const Counts& counts);
 
 /// How long simulating all of a scene takes with its settings, and how much memory, as a sentence; empty
 /// where neither is much. The time is what the prices of the registry come to on one core of an ordinary
-/// machine.
-std::string run_note(const Scene& scene);
+/// machine. Where pictures are drawn, too, `picture_bytes` (else 0) is what that takes of memory; the
+/// sentence then says that their time comes beside.
+std::string run_note(const Scene& scene, double picture_bytes);
 
 }  // namespace taut

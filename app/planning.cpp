@@ -52,8 +52,8 @@ Plan searched(const Scene& scene, const PlanFlags& flags, const std::string& met
   return plan;
 }
 
-void say_run(const Scene& scene, bool quiet) {
-  const std::string note = quiet ? std::string() : run_note(scene);
+void say_run(const Scene& scene, bool quiet, double picture_bytes) {
+  const std::string note = quiet ? std::string() : run_note(scene, picture_bytes);
   if (!note.empty()) tell("taut: {}: note: {}\n", scene.name, note);
 }
 
@@ -69,9 +69,9 @@ void PlanFlags::add_to(Verb& verb) {
 }
 
 std::optional<Plan> settle_method(Scene& scene, const PlanFlags& flags, const std::string& method, bool quiet,
-                                  const StopTest& stop) {
+                                  const StopTest& stop, double picture_bytes) {
   if (flags.accuracy.empty() && scene.solve_given) {
-    say_run(scene, quiet);
+    say_run(scene, quiet, picture_bytes);
     return std::nullopt;
   }
   Plan plan = flags.accuracy.empty() ? quick_plan(scene.model, scene.start, scene.duration,
@@ -80,7 +80,7 @@ std::optional<Plan> settle_method(Scene& scene, const PlanFlags& flags, const st
   scene.settings = plan.settings;
   scene.solve_given = true;
   if (!quiet) tell("taut: {}: {}\n", scene.name, plan_text(plan));
-  say_run(scene, quiet);
+  say_run(scene, quiet, picture_bytes);
   return plan;
 }
 

@@ -22,9 +22,9 @@ struct PlanFlags {
 /// Settles how a scene is run, and puts that into it. Where an accuracy is given, by a search of a stated
 /// time; where the scene leaves its method open, by rule for its `accuracy`; else not at all. Says what was
 /// chosen on stderr. `method`: what --method says; the plan keeps to it. Throws BadRequest for texts that are
-/// no accuracy or no time, and Interrupted.
+/// no accuracy or no time, and Interrupted. `picture_bytes`: as run_note() takes it.
 std::optional<Plan> settle_method(Scene& scene, const PlanFlags& flags, const std::string& method, bool quiet,
-                                  const StopTest& stop);
+                                  const StopTest& stop, double picture_bytes = 0.0);
 
 /// A plan for machines.
 nlohmann::ordered_json plan_to_json(const Plan& plan);

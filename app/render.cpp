@@ -57,7 +57,8 @@ int render(const RenderFlags& flags) {
   const InterruptWatch interrupts(end_at_once);
   return unless_interrupted(interrupts, "nothing was written", [&] {
     const std::optional<Plan> plan =
-        settle_method(scene, flags.plan, flags.scene.method, flags.output.quiet, stop_test(interrupts));
+        settle_method(scene, flags.plan, flags.scene.method, flags.output.quiet, stop_test(interrupts),
+                      picture_bytes(request.picture.render));
     if (plan) request.plan = plan_text(*plan);
     return render_and_report({&scene, 1}, request, flags.output, interrupts, plan);
   });

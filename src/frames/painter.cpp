@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -25,21 +26,21 @@ RenderSettings drawn(const PictureSettings& settings) {
   return render;
 }
 
+// A size that is so many times as large, for people; encoders want sides to be even.
+std::string of_that_shape(Size size, double times) {
+  const auto side = [&](int pixels) { return static_cast<int>(0.5 * times * pixels + 1e-9) * 2; };
+  return fmt::format("{}x{} of that shape", side(size.width), side(size.height));
+}
+
 // Before anything is drawn or written: OpenGL says so only when it is too late.
 void check_memory(const RenderSettings& settings) {
-  const double bytes_of_colour = 4.0 * settings.bits / 8.0;
-  const double bytes_per_sample = bytes_of_colour + 4.0;  // colour and depth
-  const double bytes_per_pixel = 6.0 * bytes_of_colour;  // fetched, laid together, and on their way to a file
-  constexpr int most_samples_at_once = 4;
-  const double pixels = static_cast<double>(settings.size.width) * settings.size.height;
-  const double bytes =
-      pixels * (bytes_per_sample * std::min(settings.samples, most_samples_at_once) + bytes_per_pixel);
+  const double bytes = picture_bytes(settings);
   if (bytes < 0.8 * usable_memory()) return;
   throw BadRequest(fmt::format(
-      "pictures of {}x{} with {} samples a pixel need about {}, and there are {}; smaller ones, or --quality "
-      "draft, need less",
+      "pictures of {}x{} with {} samples a pixel need about {}, and there are {}; there is room for {}, and "
+      "--quality draft needs less",
       settings.size.width, settings.size.height, settings.samples, format_bytes(bytes),
-      format_bytes(usable_memory())));
+      format_bytes(usable_memory()), of_that_shape(settings.size, std::sqrt(0.8 * usable_memory() / bytes))));
 }
 
 // Shaders decide what a picture looks like as much as a scene does.
@@ -63,9 +64,21 @@ std::string shaders_text(const std::filesystem::path& folder) {
 void check_size(Size size) {
   constexpr int least = 16, most = 16384;
   const auto fits = [&](int side) { return side >= least && side <= most; };
-  if (!fits(size.width) || !fits(size.height))
-    throw BadRequest(fmt::format("pictures are from {} to {} pixels wide and high; {}x{} is not", least, most,
-                                 size.width, size.height));
+  if (fits(size.width) && fits(size.height)) return;
+  const double largest = std::max(size.width, size.height), smallest = std::min(size.width, size.height);
+  const bool has_its_shape = largest > most && smallest * most / largest >= least;
+  throw BadRequest(fmt::format(
+      "pictures are from {} to {} pixels wide and high; {}x{} is not{}", least, most, size.width, size.height,
+      has_its_shape ? fmt::format(", and {} is the largest", of_that_shape(size, most / largest)) : ""));
+}
+
+double picture_bytes(const RenderSettings& settings) {
+  const double bytes_of_colour = 4.0 * settings.bits / 8.0;
+  const double bytes_per_sample = bytes_of_colour + 4.0;  // colour and depth
+  const double bytes_per_pixel = 6.0 * bytes_of_colour;  // fetched, laid together, and on their way to a file
+  constexpr int most_samples_at_once = 4;
+  const double pixels = static_cast<double>(settings.size.width) * settings.size.height;
+  return pixels * (bytes_per_sample * std::min(settings.samples, most_samples_at_once) + bytes_per_pixel);
 }
 
 Size PictureSettings::drawn_size() const {

@@ -8,6 +8,7 @@
 #include "base/bytes.h"
 #include "base/failure.h"
 #include "frames/failure_advice.h"
+#include "methods/method.h"
 
 namespace taut {
 namespace {
@@ -72,6 +73,8 @@ std::optional<State> Simulation::at(double time, const StopTest& stop) {
 std::optional<State> Simulation::state_at(double time, const StopTest& stop) {
   std::optional<State> state = run_.at(time, stop);
   if (!run_.ended()) return state;
+  // Other steps are no way out of a crowd.
+  if (run_.report().counts.status == StepStatus::crowded) throw RunFailure(run_.failure());
   std::string advice;
   try {
     advice = failure_advice(scene_, run_.state(), stop);

@@ -1,13 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "builder.h"
 #include "model/near_balls.h"
 
 namespace taut {
 namespace {
-
-// Pairs that are solved in every step, more than which no machine steps through in any time.
-constexpr std::size_t most_pairs = 20'000'000;
 
 template <typename Spec>
 bool report_in(std::string_view section, const std::vector<Spec>& specs, std::string_view name,
@@ -34,14 +33,14 @@ void find_crowds(const Builder& builder, const Description& description, std::ve
     masses.push_back(point.masses[0]);
   }
   NearBalls::Pairs pairs;
-  NearBalls(balls, contact_margin).find(places, most_pairs, pairs);
-  if (pairs.size() <= most_pairs) return;
-  const auto& [a, b] = pairs.front();
+  NearBalls(balls, contact_margin).find(places, most_near_pairs, pairs);
+  if (pairs.size() <= most_near_pairs) return;
+  const auto& [a, b] = *std::min_element(pairs.begin(), pairs.end());
   const std::string& first = builder.model.masses.name[masses[a]];
   const std::string message = fmt::format(
       "more than {} million pairs of masses that collide start inside each other or within {} m of it, "
       "\"{}\" and \"{}\" among them; let them start farther apart",
-      most_pairs / 1'000'000, contact_margin, first, builder.model.masses.name[masses[b]]);
+      most_near_pairs / 1'000'000, contact_margin, first, builder.model.masses.name[masses[b]]);
   const std::string_view body = std::string_view(first).substr(0, first.find('.'));
   if (!report_in("mass", description.masses, body, message, problems) &&
       !report_in("chain", description.chains, body, message, problems) &&

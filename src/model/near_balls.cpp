@@ -104,7 +104,7 @@ void NearBalls::find(const std::vector<Vec3>& centres, std::size_t most, Pairs& 
   fill_grid(centres);
   for (std::uint32_t ball = 0; ball < balls_.size() && pairs.size() <= most; ++ball)
     find_pairs(ball, centres, pairs);
-  std::sort(pairs.begin(), pairs.end());
+  if (pairs.size() <= most) std::sort(pairs.begin(), pairs.end());
 }
 
 }  // namespace taut

@@ -51,6 +51,8 @@ std::string_view reason(StepStatus status) {
       return "it made energy out of nothing";
     case StepStatus::pressed_through:
       return "pins or solids press its faces through each other";
+    case StepStatus::crowded:
+      return "more than 20 million pairs of its balls touch or nearly do: so many are not solved";
     case StepStatus::chattering:
       return "its stops are met and left again without end";
   }

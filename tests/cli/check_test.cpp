@@ -138,5 +138,15 @@ TEST(CheckNotes, SaysWhatALongRunWillTake) {
   EXPECT_EQ(taut({"check", scene}).err, "") << "a second is nothing to speak of";
 }
 
+TEST(CheckNotes, ARenderCountsItsPicturesToo) {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("small.toml", small_scene());
+  const Ran ran = taut({"render", scene, "--frames", "1", "--size", "5000x5000", "-o", folder / "frames"});
+  EXPECT_EQ(ran.status, 0) << ran.err;
+  // Four samples of eight bytes a pixel, and 24 bytes for what is made of them.
+  EXPECT_NE(ran.err.find("takes about 1.4 GB and "), std::string::npos) << ran.err;
+  EXPECT_NE(ran.err.find("; drawing comes beside it, and is timed as it goes"), std::string::npos) << ran.err;
+}
+
 }  // namespace
 }  // namespace taut::testing

@@ -1,7 +1,6 @@
 #include "contact/body_contacts.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace taut {
 namespace {
@@ -41,7 +40,12 @@ void BodyContacts::begin_step(const std::vector<ContactSlip>& slips, const Vecto
   if (moved_since_search(predicted)) {
     centres_.clear();
     for (const std::uint32_t point : balls_) centres_.push_back(points_.value(point, predicted));
-    near_.find(centres_, std::numeric_limits<std::size_t>::max(), pairs_);
+    near_.find(centres_, most_near_pairs, pairs_);
+    crowded_ = pairs_.size() > most_near_pairs;
+    if (crowded_) {
+      pairs_ = {};
+      centres_.clear();  // to be looked for again
+    }
     for (auto& [a, b] : pairs_) {
       a = balls_[a];
       b = balls_[b];

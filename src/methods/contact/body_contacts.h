@@ -27,6 +27,9 @@ class BodyContacts {
   /// Whether any have touched in this step.
   bool touched() const { return touched_; }
 
+  /// Whether more balls are near each other than can be solved; then none is, and the step is none.
+  bool crowded() const { return crowded_; }
+
   /// How far contacts with static friction have slipped at the end of the step.
   void keep(const Vectors& position, std::vector<ContactSlip>& slips) const;
 
@@ -43,7 +46,7 @@ class BodyContacts {
   NearBalls::Pairs pairs_;                   // of points
   std::vector<StickingFriction> frictions_;  // one a pair, of this step; none without static friction
   const Vectors* start_ = nullptr;
-  bool touched_ = false;
+  bool touched_ = false, crowded_ = false;
 };
 
 }  // namespace taut

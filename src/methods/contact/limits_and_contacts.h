@@ -57,6 +57,9 @@ class LimitsAndContacts {
   /// can't be had.
   bool finish(Vectors& position) { return faces_.finish(position); }
 
+  /// Whether more bodies touch than can be solved: the step is none then.
+  bool crowded() const { return bodies_.crowded(); }
+
   /// Whether velocities may have jumped in this step, or at the end of the one before: a stop has pushed,
   /// something has touched, or something may have rebounded.
   bool may_jump() const {

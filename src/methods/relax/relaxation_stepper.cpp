@@ -53,11 +53,14 @@ class RelaxationStepper final : public FileOrderStepper {
     place_pins(model_, end_time, state.position, velocity_);
     std::swap(state.velocity, velocity_);
     state.time = end_time;
-    if (!kept_apart || !all_finite(state)) {
+    const bool crowded = limits_and_contacts_.crowded();
+    if (crowded || !kept_apart || !all_finite(state)) {
       std::swap(state.position, start_);
       std::swap(state.velocity, velocity_);
       state.time = start_time;
-      report.status = kept_apart ? StepStatus::not_finite : StepStatus::pressed_through;
+      report.status = crowded      ? StepStatus::crowded
+                      : kept_apart ? StepStatus::not_finite
+                                   : StepStatus::pressed_through;
       return report;
     }
     limits_and_contacts_.keep(state);

@@ -28,6 +28,10 @@ struct PictureSettings {
 /// Throws BadRequest for a size that is not from 16 to 16384 pixels each way.
 void check_size(Size size);
 
+/// How much memory (bytes) drawing pictures takes at most, from OpenGL's buffers to what is on its way to a
+/// file.
+double picture_bytes(const RenderSettings& settings);
+
 /// The settings as text in which any difference that shows in a picture shows.
 std::string settings_text(const PictureSettings& settings);
 

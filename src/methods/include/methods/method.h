@@ -113,6 +113,7 @@ enum class StepStatus {
   not_finite,            ///< a position or velocity is no longer a number
   energy_jump,           ///< the step made energy out of nothing, as the run that it belongs to found
   pressed_through,       ///< pins or solids press faces through each other
+  crowded,               ///< more bodies touch than can be solved (most_near_pairs)
   chattering,            ///< stops are met and left again without end
 };
 

@@ -9,6 +9,9 @@
 
 namespace taut {
 
+/// Pairs that are solved in every step, more than which no machine steps through in any time.
+inline constexpr std::size_t most_near_pairs = 20'000'000;
+
 /// A ball of a body, which other balls of the same body don't count for.
 struct BodyBall {
   double radius = 0.0;  ///< m
@@ -26,7 +29,7 @@ class NearBalls {
   NearBalls(std::vector<BodyBall> balls, double margin);
 
   /// The pairs of balls that are near each other with centres at these places, by their indices, sorted.
-  /// Stops looking once there are more than `most`.
+  /// Stops looking once there are more than `most`, and leaves those in no order.
   void find(const std::vector<Vec3>& centres, std::size_t most, Pairs& pairs);
 
  private:
