@@ -146,8 +146,8 @@ LightMap::LightMap(const Gl& gl) : gl_(&gl), texture_(make_texture(gl)), framebu
 
 void LightMap::begin(Size size) {
   if (size.width > room_.width || size.height > room_.height) {
-    // Powers of two: else coordinates would be rounded otherwise the larger it has grown, and pictures differ by what
-    // was drawn before.
+    // Powers of two: else coordinates would be rounded otherwise the larger it has grown, and pictures
+    // differ by what was drawn before.
     room_ = {std::max(power_of_two_above(size.width), room_.width),
              std::max(power_of_two_above(size.height), room_.height)};
     bind_for_reading();
