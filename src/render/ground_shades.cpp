@@ -84,7 +84,7 @@ void GroundShades::draw_mask(const Program& program, const MaskMap& mask, const 
   program.set("range", how.range);
   depths.bind_for_depths();
   gl_->draw_arrays(GL_TRIANGLES, 0, 3);
-  mask.end();
+  mask.end(2.0F * how.reach.x);
 }
 
 }  // namespace taut

@@ -21,6 +21,6 @@ glm::vec3 direction_to_light();
 
 /// How wide the key light is: tangent of the angle between its middle and its rim, seen from anywhere. A
 /// penumbra is twice that wide a metre of the light's way from what throws the shadow.
-inline constexpr float light_spread = 0.03F;
+inline constexpr float light_spread = 0.018F;
 
 }  // namespace taut

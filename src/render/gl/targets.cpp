@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <string>
 
 #include "base/failure.h"
@@ -61,6 +62,9 @@ void turn_alpha_round(Image& image) {
     for (std::size_t i = pixel + 3 * sample; i < pixel + bytes; ++i)
       image.pixels[i] = static_cast<std::uint8_t>(255 - image.pixels[i]);
 }
+
+// Of averages, each over twice as many texels each way as the one before.
+constexpr int mask_levels = 6;
 
 int power_of_two_above(int side) {
   return static_cast<int>(std::bit_ceil(static_cast<unsigned>(side)));
@@ -146,8 +150,8 @@ LightMap::LightMap(const Gl& gl) : gl_(&gl), texture_(make_texture(gl)), framebu
 
 void LightMap::begin(Size size) {
   if (size.width > room_.width || size.height > room_.height) {
-    // Powers of two: else coordinates would be rounded otherwise the larger it has grown, and pictures differ by what
-    // was drawn before.
+    // Powers of two: else coordinates would be rounded otherwise the larger it has grown, and pictures
+    // differ by what was drawn before.
     room_ = {std::max(power_of_two_above(size.width), room_.width),
              std::max(power_of_two_above(size.height), room_.height)};
     bind_for_reading();
@@ -221,12 +225,11 @@ void ShadowMap::bind_for_depths() const {
 MaskMap::MaskMap(const Gl& gl, int size)
     : gl_(&gl), size_(size), texture_(make_texture(gl)), framebuffer_(make_framebuffer(gl)) {
   bind_for_reading(GL_TEXTURE2);
-  constexpr int levels = 6;
-  for (int level = 0; level <= levels; ++level) {
+  for (int level = 0; level <= mask_levels; ++level) {
     const int side = std::max(size >> level, 1);
     gl.texture_image(GL_TEXTURE_2D, level, GL_RGBA8, side, side, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
   }
-  gl.texture_parameter(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, levels);
+  gl.texture_parameter(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, mask_levels);
   gl.texture_parameter(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
   gl.texture_parameter(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   gl.texture_parameter(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
@@ -248,9 +251,12 @@ void MaskMap::begin(const glm::ivec2& corner, const glm::ivec2& size) const {
   gl_->scissor(corner.x, corner.y, size.x, size.y);
 }
 
-void MaskMap::end() const {
+void MaskMap::end(float across) const {
   gl_->disable(GL_SCISSOR_TEST);
   bind_for_reading(GL_TEXTURE2);
+  // Each level costs as much as a draw of its own.
+  const auto levels = static_cast<int>(std::ceil(std::log2(std::max(across, 1.0F))));
+  gl_->texture_parameter(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, std::min(levels, mask_levels));
   gl_->make_mipmap(GL_TEXTURE_2D);
 }
 

@@ -106,8 +106,8 @@ class MaskMap {
 
   /// Directs drawing here, into so many texels from a corner on. All others are 0.
   void begin(const glm::ivec2& corner, const glm::ivec2& size) const;
-  /// Ends that: works out averages, over up to 64 texels each way.
-  void end() const;
+  /// Ends that: works out averages over `across` texels each way, but 64 at most.
+  void end(float across) const;
   /// Lets shaders read it from a texture unit.
   void bind_for_reading(GLenum unit) const;
   int size() const { return size_; }
