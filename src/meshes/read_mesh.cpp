@@ -9,8 +9,8 @@
 #include "base/failure.h"
 #include "base/hash.h"
 #include "base/memory.h"
-#include "cloth_of_mesh.h"
 #include "file_bytes.h"
+#include "placed_mesh.h"
 #include "raw_mesh.h"
 #include "solid_of_mesh.h"
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "cloth_of_mesh.h"
 #include "model/solid_data.h"
+#include "placed_mesh.h"
 
 namespace taut {
 

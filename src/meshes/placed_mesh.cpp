@@ -1,4 +1,4 @@
-#include "cloth_of_mesh.h"
+#include "placed_mesh.h"
 
 #include <fmt/format.h>
 
@@ -36,9 +36,9 @@ double size_of(const std::vector<Vec3>& places) {
   return (high - low).norm();
 }
 
-class ClothMaker {
+class MeshPlacer {
  public:
-  ClothMaker(const RawMesh& raw, const MeshSpec& spec, MeshUse use, std::vector<std::string>& notes)
+  MeshPlacer(const RawMesh& raw, const MeshSpec& spec, MeshUse use, std::vector<std::string>& notes)
       : raw_(raw), spec_(spec), use_(use), notes_(notes) {}
 
   PlacedMesh make() {
@@ -330,7 +330,7 @@ class ClothMaker {
 
 PlacedMesh placed_mesh(const RawMesh& raw, const MeshSpec& spec, MeshUse use,
                        std::vector<std::string>& notes) {
-  return ClothMaker(raw, spec, use, notes).make();
+  return MeshPlacer(raw, spec, use, notes).make();
 }
 
 }  // namespace taut
