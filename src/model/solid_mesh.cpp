@@ -13,7 +13,7 @@ constexpr std::uint32_t most_in_leaf = 4;
 // Of the solid's size, nearer than which the way to the nearest place says nothing of a direction.
 constexpr double no_direction = 1e-12;
 constexpr double flat = 1e-9;  // sine of an angle between two triangles that are taken to be in one plane
-constexpr Index none = 0xffffffffU;
+constexpr Index unnumbered = 0xffffffffU;
 
 double square_from(const Bounds& box, const Vec3& point) {
   return (point - point.cwiseMax(box.low).cwiseMin(box.high)).squaredNorm();
@@ -59,11 +59,11 @@ void SolidMesh::sort_triangles(const std::vector<Vec3>& vertices, const std::vec
   struct Stretch {
     std::uint32_t node, begin, end;
   };
-  std::vector<Stretch> parts{{0, 0, static_cast<std::uint32_t>(triangles.size())}};
+  std::vector<Stretch> waiting{{0, 0, static_cast<std::uint32_t>(triangles.size())}};
   nodes_.emplace_back();
-  while (!parts.empty()) {
-    const Stretch part = parts.back();
-    parts.pop_back();
+  while (!waiting.empty()) {
+    const Stretch part = waiting.back();
+    waiting.pop_back();
     Node& node = nodes_[part.node];
     for (std::uint32_t i = part.begin; i < part.end; ++i) node.box.take_in(boxes[made_from_[i]]);
     node.first = part.begin;
@@ -80,20 +80,20 @@ void SolidMesh::sort_triangles(const std::vector<Vec3>& vertices, const std::vec
     node.first = children;
     node.count = 0;
     nodes_.resize(nodes_.size() + 2);
-    parts.push_back({children + 1, middle, part.end});
-    parts.push_back({children, part.begin, middle});
+    waiting.push_back({children + 1, middle, part.end});
+    waiting.push_back({children, part.begin, middle});
   }
 }
 
 // In the order in which triangles come to them.
 void SolidMesh::take_vertices(const std::vector<Vec3>& vertices, const std::vector<Corners>& triangles) {
-  std::vector<Index> number(vertices.size(), none);
+  std::vector<Index> number(vertices.size(), unnumbered);
   triangles_.reserve(triangles.size());
   for (const Index from : made_from_) {
     Corners corners{};
     for (std::size_t k = 0; k < 3; ++k) {
       Index& of = number[triangles[from][k]];
-      if (of == none) {
+      if (of == unnumbered) {
         of = static_cast<Index>(vertices_.size());
         vertices_.push_back(vertices[triangles[from][k]]);
       }
