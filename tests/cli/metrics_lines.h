@@ -8,20 +8,18 @@
 
 namespace taut::testing {
 
-using Json = nlohmann::json;
-
 /// The objects of a file of metrics, one a line.
-inline std::vector<Json> lines_of(const std::string& text) {
-  std::vector<Json> lines;
+inline std::vector<nlohmann::json> lines_of(const std::string& text) {
+  std::vector<nlohmann::json> lines;
   std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(Json::parse(line));
+  for (std::string line; std::getline(stream, line);) lines.push_back(nlohmann::json::parse(line));
   return lines;
 }
 
 /// What doesn't differ from run to run: all but what the stages took.
 inline std::string measured_part(const std::string& text) {
   std::string measured;
-  for (Json line : lines_of(text)) {
+  for (nlohmann::json line : lines_of(text)) {
     for (auto it = line.begin(); it != line.end();)
       it = it.key().ends_with("_seconds") ? line.erase(it) : std::next(it);
     measured += line.dump() + "\n";
