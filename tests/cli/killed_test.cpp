@@ -20,6 +20,7 @@ namespace taut::testing {
 namespace {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::json;
 using Words = std::vector<std::string>;
 
 // A sheet that tears: long enough for a checkpoint or two, quick to draw. Its eye is given: looking for one

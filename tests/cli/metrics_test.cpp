@@ -13,6 +13,8 @@
 namespace taut::testing {
 namespace {
 
+using Json = nlohmann::json;
+
 std::vector<std::string> table_rows(const std::string& text) {
   std::vector<std::string> rows;
   std::istringstream stream(text);

@@ -17,6 +17,7 @@ namespace taut::testing {
 namespace {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::json;
 using Words = std::vector<std::string>;
 
 class ShardTest : public ::testing::Test {
