@@ -95,7 +95,9 @@ glm::ivec3 NearBalls::cell_at(const glm::vec3& place) const {
 }
 
 std::size_t NearBalls::number_of(const glm::ivec3& cell) const {
-  return static_cast<std::size_t>((cell.z * cells_.y + cell.y) * cells_.x + cell.x);
+  const auto row = static_cast<std::size_t>(cell.z) * static_cast<std::size_t>(cells_.y) +
+                   static_cast<std::size_t>(cell.y);
+  return row * static_cast<std::size_t>(cells_.x) + static_cast<std::size_t>(cell.x);
 }
 
 glm::vec2 NearBalls::hidden(const glm::vec3& place, const glm::vec3& normal) const {
