@@ -54,13 +54,14 @@ inline std::string grid_obj(int rows, int columns, double step) {
 }
 
 /// What reading a file gives; the message of what is wrong with it.
-class MeshFiles {
+template <class Spec, auto read_file_of>
+class FilesOf {
  public:
-  MeshReading read(const std::string& name, const std::string& text, MeshSpec spec = {}) const {
+  auto read(const std::string& name, const std::string& text, Spec spec = {}) const {
     spec.file = name;
-    return read_mesh(folder_.write(name, text), spec);
+    return read_file_of(folder_.write(name, text), spec);
   }
-  std::string error(const std::string& name, const std::string& text, const MeshSpec& spec = {}) const {
+  std::string error(const std::string& name, const std::string& text, const Spec& spec = {}) const {
     try {
       read(name, text, spec);
       return {};
@@ -72,5 +73,7 @@ class MeshFiles {
  private:
   TemporaryFolder folder_;
 };
+using MeshFiles = FilesOf<MeshSpec, read_mesh>;
+using SolidFiles = FilesOf<MeshSolidSpec, read_solid>;
 
 }  // namespace taut::testing

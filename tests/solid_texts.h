@@ -11,10 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "base/failure.h"
+#include "mesh_texts.h"
 #include "meshes/read_mesh.h"
 #include "model/solid_mesh.h"
-#include "temporary_folder.h"
 
 namespace taut::testing {
 
@@ -114,26 +113,6 @@ inline Surfaces ring_surface(double large, double small, std::size_t around, std
     }
   return ring;
 }
-
-/// What reading a solid's file gives; the message of what is wrong with it.
-class SolidFiles {
- public:
-  SolidReading read(const std::string& name, const std::string& text, MeshSolidSpec spec = {}) const {
-    spec.file = name;
-    return read_solid(folder_.write(name, text), spec);
-  }
-  std::string error(const std::string& name, const std::string& text, const MeshSolidSpec& spec = {}) const {
-    try {
-      read(name, text, spec);
-      return {};
-    } catch (const BadRequest& problem) {
-      return problem.what();
-    }
-  }
-
- private:
-  TemporaryFolder folder_;
-};
 
 /// A solid of a scene out of a surface.
 inline MeshSolidSpec solid_of(const Surfaces& surface, MeshSolidSpec spec = {}) {

@@ -53,7 +53,7 @@ struct Submitted : Shaped {
 };
 
 /// Parts of pictures, to be laid together and compressed.
-struct Drawn {
+struct DrawnFrame {
   Submitted frame;
   PanelPainter::Drawn panels;
 };

@@ -96,7 +96,7 @@ class Pipeline {
   CheckpointClock checkpoints_;
   BoundedQueue<Posed> posed_{2};
   BoundedQueue<Shaped> shaped_{2};
-  BoundedQueue<Drawn> to_finish_{2};
+  BoundedQueue<DrawnFrame> to_finish_{2};
   std::list<Lane> lanes_;
   PictureNotes notes_;
   FirstFailure failure_;
@@ -212,7 +212,7 @@ void Pipeline::fetch(Submitted frame, PanelPainter& painter) {
 }
 
 void Pipeline::finish_frames(const PanelPainter& painter) {
-  while (std::optional<Drawn> drawn = to_finish_.pop()) {
+  while (std::optional<DrawnFrame> drawn = to_finish_.pop()) {
     Submitted& frame = drawn->frame;
     try {
       FinishedFrame finished{frame.frame, frame.hash, {}, {}, frame.checkpoint};

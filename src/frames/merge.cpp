@@ -25,16 +25,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<Part> parts_in(std::span<const fs::path> folders) {
-  std::vector<Part> parts;
+std::vector<ShardFolder> parts_in(std::span<const fs::path> folders) {
+  std::vector<ShardFolder> parts;
   for (const fs::path& folder : folders)
     for (const auto& [name, manifest] : manifests_in(folder))
       if (manifest.kind == "frames") parts.push_back({folder, manifest});
   return parts;
 }
 
-void require_same_inputs(const std::vector<Part>& parts) {
-  for (const Part& part : parts)
+void require_same_inputs(const std::vector<ShardFolder>& parts) {
+  for (const ShardFolder& part : parts)
     if (part.manifest.inputs != parts.front().manifest.inputs)
       throw OutputConflict(fmt::format("{} and {} hold frames made from different inputs",
                                        parts.front().folder.string(), part.folder.string()));
@@ -46,7 +46,7 @@ bool same_folder(const fs::path& a, const fs::path& b) {
 }
 
 // Takes a part's whole frames over into the folder.
-void take(const Part& part, FrameFolder& folder, const fs::path& into, const StopTest& stop) {
+void take(const ShardFolder& part, FrameFolder& folder, const fs::path& into, const StopTest& stop) {
   const bool copy = !same_folder(part.folder, into);
   for (const auto& [frame, record] : part.manifest.frames) {
     stop_if_told(stop);
@@ -72,10 +72,7 @@ void remove_shards(const fs::path& folder) {
 
 void make_film(FrameFolder& folder, const fs::path& into, const fs::path& file, const StopTest& stop) {
   const Manifest& manifest = folder.manifest();
-  SideFile wanted{&Manifest::films,
-                  file,
-                  {film_name_from(into, file), fmt::format("1-{}", manifest.frame_count), 0, {}},
-                  true};
+  SideFile wanted = side_file(&Manifest::films, file, into, all_frames(manifest.frame_count));
   if (is_made(wanted, &manifest)) return;
   std::vector<int> numbers;
   numbers.reserve(manifest.frames.size());
@@ -101,7 +98,7 @@ bool holds_frames(const fs::path& folder) {
 
 MergedFrames merge_frames(std::span<const fs::path> folders, const fs::path& into, const MergeWishes& wishes,
                           const StopTest& stop) {
-  const std::vector<Part> parts = parts_in(folders);
+  const std::vector<ShardFolder> parts = parts_in(folders);
   require_same_inputs(parts);
   if (wishes.metrics) check_metrics_file(*wishes.metrics);
   Manifest wanted = parts.front().manifest;
@@ -111,7 +108,7 @@ MergedFrames merge_frames(std::span<const fs::path> folders, const fs::path& int
   wanted.halvings.clear();
   FrameFolder folder(into, wanted, {}, false);
   folder.begin();
-  for (const Part& part : parts) take(part, folder, into, stop);
+  for (const ShardFolder& part : parts) take(part, folder, into, stop);
   folder.save();
   MergedFrames merged;
   merged.count = folder.manifest().frames.size();

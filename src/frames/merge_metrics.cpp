@@ -56,10 +56,10 @@ void add_rows(std::string_view text, const fs::path& file, Rows& rows) {
   rows.by_frame.merge(here);
 }
 
-Rows rows_of(const std::vector<Part>& parts, const fs::path& file) {
+Rows rows_of(const std::vector<ShardFolder>& parts, const fs::path& file) {
   Rows rows;
   bool any = false;
-  for (const Part& part : parts)
+  for (const ShardFolder& part : parts)
     for (const FilmRecord& record : part.manifest.metrics) {
       const fs::path there = part.folder / record.file;
       if (there.extension() != file.extension()) continue;
@@ -75,11 +75,10 @@ Rows rows_of(const std::vector<Part>& parts, const fs::path& file) {
 
 }  // namespace
 
-std::vector<int> merge_metrics(const std::vector<Part>& parts, FrameFolder& folder, const fs::path& into,
-                               const fs::path& file) {
+std::vector<int> merge_metrics(const std::vector<ShardFolder>& parts, FrameFolder& folder,
+                               const fs::path& into, const fs::path& file) {
   const std::vector<int> frames = all_frames(folder.manifest().frame_count);
-  SideFile wanted{
-      &Manifest::metrics, file, {film_name_from(into, file), selection_text(frames), 0, {}}, true};
+  SideFile wanted = side_file(&Manifest::metrics, file, into, frames);
   if (is_made(wanted, &folder.manifest())) return {};
   const Rows rows = rows_of(parts, file);
   std::vector<int> missing;

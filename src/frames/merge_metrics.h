@@ -9,7 +9,7 @@
 namespace taut {
 
 /// One of the manifests that are joined, and the folder that it lies in.
-struct Part {
+struct ShardFolder {
   std::filesystem::path folder;
   Manifest manifest;
 };
@@ -19,7 +19,7 @@ struct Part {
 /// manifest of the folder, which is `into`, knows the file, and no more of those it was joined from; they
 /// stay. Throws BadRequest where there are none of that kind, OutputConflict where their columns differ or
 /// something else has the file's name, and RunFailure.
-std::vector<int> merge_metrics(const std::vector<Part>& parts, FrameFolder& folder,
+std::vector<int> merge_metrics(const std::vector<ShardFolder>& parts, FrameFolder& folder,
                                const std::filesystem::path& into, const std::filesystem::path& file);
 
 }  // namespace taut

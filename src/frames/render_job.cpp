@@ -31,16 +31,13 @@ void take_over_films(const fs::path& film, Manifest& manifest) {
   manifest.metrics = there->metrics;
 }
 
-FilmRecord record_to_be(const std::string& name, const std::vector<int>& frames) {
-  return {name, selection_text(frames), 0, {}};
+// The folder that films and metrics stand beside.
+fs::path folder_beside(const RenderRequest& request) {
+  return request.folder ? *request.folder : request.film->parent_path();
 }
 
 void settle_film(RenderJob& job, const RenderRequest& request, const Manifest& wanted) {
-  job.film = {&Manifest::films, *request.film,
-              record_to_be(request.folder ? film_name_from(*request.folder, *request.film)
-                                          : request.film->filename().string(),
-                           job.frames),
-              true};
+  job.film = side_file(&Manifest::films, *request.film, folder_beside(request), job.frames);
   if (is_film_stream(*request.film)) return;
   if (!request.folder) {
     job.film_manifest = wanted;
@@ -57,9 +54,7 @@ void settle_film(RenderJob& job, const RenderRequest& request, const Manifest& w
 void settle_metrics(RenderJob& job, const RenderRequest& request) {
   if (!request.metrics) return;
   check_metrics_file(*request.metrics);
-  const fs::path beside = request.folder ? *request.folder : request.film->parent_path();
-  job.metrics = {&Manifest::metrics, *request.metrics,
-                 record_to_be(film_name_from(beside, *request.metrics), job.frames), false};
+  job.metrics = side_file(&Manifest::metrics, *request.metrics, folder_beside(request), job.frames);
   job.metrics.make = request.overwrite || !is_made(job.metrics, job.known());
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/failure.h"
+#include "frames/frame_selection.h"
 #include "output/atomic_file.h"
 #include "output/content_hash.h"
 #include "output/film.h"
@@ -36,6 +37,11 @@ std::string film_name_from(const fs::path& folder, const fs::path& film) {
 
 fs::path film_manifest_file(const fs::path& film) {
   return film.parent_path() / fmt::format(".{}.json", film.filename().string());
+}
+
+SideFile side_file(FilmList list, const fs::path& file, const fs::path& folder,
+                   const std::vector<int>& frames) {
+  return {list, file, {film_name_from(folder, file), selection_text(frames), 0, {}}, true};
 }
 
 bool is_made(const SideFile& wanted, const Manifest* known) {

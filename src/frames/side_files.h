@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "frames/frame_folder.h"
 #include "output/manifest.h"
@@ -24,6 +25,10 @@ std::string film_name_from(const std::filesystem::path& folder, const std::files
 
 /// The manifest of a film that has no folder of frames: a hidden file beside it.
 std::filesystem::path film_manifest_file(const std::filesystem::path& film);
+
+/// A file to be made beside what is in a folder (empty: the current one), of frames.
+SideFile side_file(FilmList list, const std::filesystem::path& file, const std::filesystem::path& folder,
+                   const std::vector<int>& frames);
 
 /// Whether a file is there already, of the frames it is asked for of, as a manifest (null: none) knows it.
 /// Throws OutputConflict where something else has its name.

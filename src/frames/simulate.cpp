@@ -78,10 +78,7 @@ SideFile wanted_metrics(const MotionRequest& request, const FrameFolder& folder,
                         const std::vector<int>& frames) {
   if (!request.metrics) return {};
   check_metrics_file(*request.metrics);
-  SideFile metrics{&Manifest::metrics,
-                   *request.metrics,
-                   {film_name_from(request.folder, *request.metrics), selection_text(frames), 0, {}},
-                   true};
+  SideFile metrics = side_file(&Manifest::metrics, *request.metrics, request.folder, frames);
   metrics.make = request.overwrite || !is_made(metrics, &folder.manifest());
   return metrics;
 }

@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-#include "geometry/near_balls.h"
+#include "geometry/occluders.h"
 
 namespace taut {
 namespace {
@@ -140,7 +140,7 @@ TEST(Openness, IsLessBesideBoxesBallsAndGrounds) {
   });
 }
 
-TEST(NearBalls, HideWhatASumOverAllOfThemSays) {
+TEST(Occluders, HideWhatASumOverAllOfThemSays) {
   std::mt19937 random(7);
   std::uniform_real_distribution<float> any(0.0F, 1.0F);
   std::vector<glm::vec3> places(500);
@@ -150,7 +150,7 @@ TEST(NearBalls, HideWhatASumOverAllOfThemSays) {
   // One that has fallen far away, for which there are not cells enough.
   places.back() = {0.0F, -1e4F, 0.0F};
   areas.back() = 0.01F;
-  const NearBalls balls(places, areas, reach);
+  const Occluders balls(places, areas, reach);
   for (int i = 0; i < 50; ++i) {
     const glm::vec3 place = places[static_cast<std::size_t>(i)];
     const glm::vec3 normal = glm::normalize(glm::vec3(any(random), any(random), any(random)) - 0.5F);

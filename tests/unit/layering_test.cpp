@@ -41,19 +41,26 @@ struct Include {
   std::string name;    // between the quotes
 };
 
-std::vector<Include> quoted_includes() {
-  const std::regex pattern(R"re(^\s*#\s*include\s*"([^"]*)")re");
-  std::vector<Include> found;
-  const fs::path root = TAUT_SOURCE_DIR "/src";
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root)) {
+// Calls visit(file, match) for each line of the source that a pattern is found in.
+template <class Visit>
+void for_each_match(const std::regex& pattern, const Visit& visit) {
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(TAUT_SOURCE_DIR "/src")) {
     if (entry.path().extension() != ".h" && entry.path().extension() != ".cpp") continue;
-    const std::string folder = entry.path().lexically_relative(root).begin()->string();
     std::ifstream in(entry.path());
     for (std::string line; std::getline(in, line);) {
       std::smatch match;
-      if (std::regex_search(line, match, pattern)) found.push_back({entry.path(), folder, match[1]});
+      if (std::regex_search(line, match, pattern)) visit(entry.path(), match);
     }
   }
+}
+
+std::vector<Include> quoted_includes() {
+  const std::regex pattern(R"re(^\s*#\s*include\s*"([^"]*)")re");
+  std::vector<Include> found;
+  for_each_match(pattern, [&](const fs::path& file, const std::smatch& match) {
+    const std::string folder = file.lexically_relative(TAUT_SOURCE_DIR "/src").begin()->string();
+    found.push_back({file, folder, match[1]});
+  });
   return found;
 }
 
@@ -77,6 +84,18 @@ TEST(Layering, IncludesGoOnlyWhereTheyMay) {
     EXPECT_TRUE(target == include.folder || may_use.at(include.folder).contains(target))
         << include.file << " may not include " << include.name;
   }
+}
+
+// All are in one namespace: of two types of one name in two headers a linker keeps the functions of one.
+TEST(Layering, TypesOfHeadersHaveNamesOfTheirOwn) {
+  const std::regex pattern(R"re(^(?:class|struct|enum class) (\w+)(?:[ :{][^;<]*)?$)re");
+  std::map<std::string, fs::path> first;
+  for_each_match(pattern, [&](const fs::path& file, const std::smatch& match) {
+    if (file.extension() != ".h") return;
+    const auto [known, is_new] = first.emplace(match[1], file);
+    EXPECT_TRUE(is_new) << match[1] << " of " << file << " is also in " << known->second;
+  });
+  EXPECT_GT(first.size(), 200U) << "the search itself is broken";
 }
 
 }  // namespace

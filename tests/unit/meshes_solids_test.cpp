@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "mesh_texts.h"
 #include "model/colliders.h"
 #include "solid_texts.h"
 

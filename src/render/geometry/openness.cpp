@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-#include "geometry/near_balls.h"
+#include "geometry/occluders.h"
 #include "geometry/torso.h"
 
 namespace taut {
@@ -120,7 +120,7 @@ std::vector<glm::vec2> smoothed(const ClothMasses& cloth, const std::vector<glm:
 
 std::vector<glm::vec2> openness_of(const ClothMasses& cloth, const Surroundings& around, float reach) {
   const std::vector<float> areas = areas_of(cloth);
-  const NearBalls balls(cloth.places, areas, reach);
+  const Occluders balls(cloth.places, areas, reach);
   std::vector<glm::vec2> open(cloth.places.size(), glm::vec2(1.0F));
   for (std::size_t mass = 0; mass < open.size(); ++mass) {
     if (cloth.normals[mass] == glm::vec3(0.0F)) continue;

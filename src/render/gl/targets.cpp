@@ -63,6 +63,14 @@ void turn_alpha_round(Image& image) {
       image.pixels[i] = static_cast<std::uint8_t>(255 - image.pixels[i]);
 }
 
+// What the bound texture holds outside of itself, in all channels.
+void surround(const Gl& gl, float value) {
+  gl.texture_parameter(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
+  gl.texture_parameter(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
+  const std::array<float, 4> outside{value, value, value, value};
+  gl.texture_parameters(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, outside.data());
+}
+
 // Of averages, each over twice as many texels each way as the one before.
 constexpr int mask_levels = 6;
 
@@ -191,10 +199,7 @@ ShadowMap::ShadowMap(const Gl& gl, int size)
                    nullptr);
   gl.texture_parameter(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   gl.texture_parameter(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  gl.texture_parameter(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
-  gl.texture_parameter(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
-  const std::array<float, 4> lit{1.0F, 1.0F, 1.0F, 1.0F};
-  gl.texture_parameters(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, lit.data());
+  surround(gl, 1.0F);  // lit
   gl.texture_parameter(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
   gl.texture_parameter(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
   gl.bind_framebuffer(GL_FRAMEBUFFER, framebuffer_.name());
@@ -232,10 +237,7 @@ MaskMap::MaskMap(const Gl& gl, int size)
   gl.texture_parameter(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, mask_levels);
   gl.texture_parameter(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
   gl.texture_parameter(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  gl.texture_parameter(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
-  gl.texture_parameter(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
-  const std::array<float, 4> nothing{0.0F, 0.0F, 0.0F, 0.0F};
-  gl.texture_parameters(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, nothing.data());
+  surround(gl, 0.0F);
   gl.bind_framebuffer(GL_FRAMEBUFFER, framebuffer_.name());
   gl.framebuffer_texture(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_.name(), 0);
   check_framebuffer(gl);

@@ -1,4 +1,4 @@
-#include "geometry/near_balls.h"
+#include "geometry/occluders.h"
 
 #include <algorithm>
 #include <bit>
@@ -54,7 +54,7 @@ void add_run(const Run& run, Index count, const Seen& from, Lanes& difference, L
 
 }  // namespace
 
-NearBalls::NearBalls(const std::vector<glm::vec3>& places, const std::vector<float>& areas, float reach)
+Occluders::Occluders(const std::vector<glm::vec3>& places, const std::vector<float>& areas, float reach)
     : reach_(reach) {
   low_ = glm::vec3(std::numeric_limits<float>::max());
   glm::vec3 high(std::numeric_limits<float>::lowest());
@@ -90,17 +90,17 @@ NearBalls::NearBalls(const std::vector<glm::vec3>& places, const std::vector<flo
   }
 }
 
-glm::ivec3 NearBalls::cell_at(const glm::vec3& place) const {
+glm::ivec3 Occluders::cell_at(const glm::vec3& place) const {
   return glm::clamp(glm::ivec3(glm::floor((place - low_) / cell_size_)), glm::ivec3(0), cells_ - 1);
 }
 
-std::size_t NearBalls::number_of(const glm::ivec3& cell) const {
+std::size_t Occluders::number_of(const glm::ivec3& cell) const {
   const auto row = static_cast<std::size_t>(cell.z) * static_cast<std::size_t>(cells_.y) +
                    static_cast<std::size_t>(cell.y);
   return row * static_cast<std::size_t>(cells_.x) + static_cast<std::size_t>(cell.x);
 }
 
-glm::vec2 NearBalls::hidden(const glm::vec3& place, const glm::vec3& normal) const {
+glm::vec2 Occluders::hidden(const glm::vec3& place, const glm::vec3& normal) const {
   const glm::ivec3 low = cell_at(place - reach_), high = cell_at(place + reach_);
   Lanes difference{}, sum{};
   for (int z = low.z; z <= high.z; ++z)

@@ -9,10 +9,10 @@
 namespace taut {
 
 /// Small balls, sorted by where they are, so that those near a place are found in few runs.
-class NearBalls {
+class Occluders {
  public:
   /// `areas` (m²): of their outlines; those without one are left out. All places have to be finite.
-  NearBalls(const std::vector<glm::vec3>& places, const std::vector<float>& areas, float reach);
+  Occluders(const std::vector<glm::vec3>& places, const std::vector<float>& areas, float reach);
 
   /// How much of the light from all around they keep from the front (x) and the back (y) of a small flat
   /// thing, less the farther they are, and nothing from `reach` on.
