@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "base/failure.h"
+#include "base/json_text.h"
 #include "command_line.h"
 #include "exit_status.h"
 #include "flags.h"
@@ -83,7 +84,7 @@ void print_json(const Measured& measured) {
                               {"seconds_to_first_file", speed.first_file},
                               {"stage_seconds", stages_to_json(speed.stages)}});
   }
-  print_result("{}\n", json.dump(2));
+  print_result("{}\n", json_text(json, 2));
 }
 
 std::vector<FrameSpeed> measure_showcases(int frames, bool quietly, const StopTest& stop) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/failure.h"
+#include "base/json_text.h"
 #include "command_line.h"
 #include "errors_json.h"
 #include "exit_status.h"
@@ -250,7 +251,7 @@ int check(const CheckFlags& flags) {
     status = std::max(status, verdict.status);
     verdicts.push_back(verdict.json);
   }
-  if (flags.json) print_result("{}\n", verdicts.dump(2));
+  if (flags.json) print_result("{}\n", json_text(verdicts, 2));
   return status;
 }
 

@@ -10,8 +10,8 @@
 namespace taut {
 namespace {
 
-constexpr double much_memory = 1e9;                         // bytes
-constexpr double long_build = 1.0, long_simulation = 60.0;  // s
+constexpr double much_memory = 1e9;                                              // bytes
+constexpr double long_build = 1.0, long_simulation = 60.0, long_drawing = 60.0;  // s
 
 }  // namespace
 
@@ -27,9 +27,13 @@ std::string run_note(const Scene& scene, double picture_bytes) {
   const double seconds = predicted_seconds(scene.model, scene.settings, scene.duration);
   if (seconds < long_simulation && bytes < much_memory) return {};
   const std::string memory = bytes < much_memory ? "" : fmt::format("{} and ", format_bytes(bytes));
-  return fmt::format("to simulate all {:.4g} s with {} takes about {}{}{}", scene.duration,
-                     scene.settings.method, memory, duration_text(seconds),
-                     picture_bytes > 0.0 ? "; drawing comes beside it, and is timed as it goes" : "");
+  return fmt::format("to simulate all {:.4g} s with {} takes about {}{}", scene.duration,
+                     scene.settings.method, memory, duration_text(seconds));
+}
+
+std::string drawing_note(std::size_t frames, double seconds) {
+  if (seconds < long_drawing) return {};
+  return fmt::format("to draw {} frames takes about {}", frames, duration_text(seconds));
 }
 
 }  // namespace taut

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "scene/scene.h"
@@ -12,8 +13,10 @@ std::string size_note(const Counts& counts);
 
 /// How long simulating all of a scene takes with its settings, and how much memory, as a sentence; empty
 /// where neither is much. The time is what the prices of the registry come to on one core of an ordinary
-/// machine. Where pictures are drawn, too, `picture_bytes` (else 0) is what that takes of memory; the
-/// sentence then says that their time comes beside.
+/// machine. `picture_bytes`: what drawing takes of memory beside.
 std::string run_note(const Scene& scene, double picture_bytes);
+
+/// How long drawing so many frames takes, as a sentence; empty where that is not long.
+std::string drawing_note(std::size_t frames, double seconds);
 
 }  // namespace taut

@@ -6,6 +6,7 @@
 #include <array>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -14,6 +15,7 @@
 #include <vector>
 
 #include "base/failure.h"
+#include "base/json_text.h"
 #include "choices.h"
 #include "command_line.h"
 #include "exit_status.h"
@@ -26,6 +28,7 @@
 #include "host/progress.h"
 #include "host/standard_streams.h"
 #include "interrupted.h"
+#include "measures_json.h"
 #include "model/measures.h"
 #include "moments.h"
 #include "output/atomic_file.h"
@@ -37,13 +40,15 @@
 namespace taut {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 struct ExportFlags {
   SceneFlags scene;
   PlanFlags plan;
   ExportChoice choice;
   InstantFlags instants;
   std::string motion;
-  bool quiet = false, certify = false;
+  bool json = false, quiet = false, certify = false;
 };
 
 // A motion that is to be exported, and how.
@@ -202,18 +207,25 @@ std::size_t write_instants(const ExportJob& job, ExportTable table, MomentSource
   return job.instants.size();
 }
 
-int certify(const ExportFlags& flags, const ExportJob& job, MomentSource& source, Certifier& certifier,
-            const InterruptWatch& interrupts) {
-  return unless_interrupted(interrupts, "the table is whole, but there is no certificate", [&] {
-    certifier.see_until(*source.simulation(), job.scene.duration);
-    const Certificate certificate = certifier.finish();
-    if (!flags.quiet) print_certificate(certificate);
-    return exit_done;
-  });
+void print_export(const ExportFlags& flags, const ExportJob& job, const State& last,
+                  const std::optional<Plan>& plan, const std::optional<Certificate>& certificate) {
+  Json json{{"scene", job.scene.name},
+            {"method", job.scene.settings.method},
+            {"format", job.format.name},
+            {"output", flags.choice.output},
+            {"frames", job.instants.size()},
+            {"frames_per_second", job.rate.value()},
+            {"broken_links", broken_links(last)},
+            {"last_state_hash", fmt::format("{:016x}", state_hash(last))}};
+  if (plan) json["plan"] = plan_to_json(*plan);
+  if (certificate) json["certificate"] = certificate_to_json(*certificate);
+  print_result("{}\n", json_text(json, 2));
 }
 
 int export_motion(const ExportFlags& flags) {
   const ExportTable table = parse_export_table(flags.choice.table);
+  if (flags.json && goes_to_stdout(flags.choice))
+    throw BadRequest("--json needs -o FILE: the export and it can't both go to standard output");
   const Execution execution = on_threads(flags.scene.thread_count(flags.certify ? 1 : 0));
   ExportJob job = job_of(flags);
   print_notes(job.scene, flags.quiet);
@@ -249,7 +261,16 @@ int export_motion(const ExportFlags& flags) {
     if (source.kept() != nullptr) source.kept()->remove();
     if (!flags.quiet) tell_of_breaks(job.format, *last);
     if (plan && !flags.quiet) print_accuracy(*plan);
-    return certifier ? certify(flags, job, source, *certifier, interrupts) : exit_done;
+    std::optional<Certificate> certificate;
+    const int certified = unless_interrupted(interrupts, "all is whole, but there is no certificate", [&] {
+      if (!certifier) return exit_done;
+      certifier->see_until(*source.simulation(), job.scene.duration);
+      certificate = certifier->finish();
+      if (!flags.quiet) print_certificate(*certificate);
+      return exit_done;
+    });
+    if (flags.json && certified == exit_done) print_export(flags, job, *last, plan, certificate);
+    return certified;
   });
 }
 
@@ -284,6 +305,7 @@ void add_export(CommandLine& program) {
       ->names_a(ValueKind::file);
   flags->plan.add_to(*verb);
   add_certify(*verb, flags->certify);
+  verb->add_flag("--json", flags->json, "Print what was exported as JSON on stdout; needs -o");
   verb->add_flag("--quiet", flags->quiet, "No messages but errors");
   verb->footer(
       "Example:\n  taut export pendulum --times 0.5,1.0 --table links -o links.csv\n"

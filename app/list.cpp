@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "base/failure.h"
+#include "base/json_text.h"
 #include "choices.h"
 #include "command_line.h"
 #include "exit_status.h"
@@ -99,7 +100,7 @@ void list_methods(bool as_json) {
   if (as_json) {
     Json json = Json::array();
     for (const Method& method : all_methods()) json.push_back(method_to_json(method));
-    print_result("{}\n", json.dump(2));
+    print_result("{}\n", json_text(json, 2));
     return;
   }
   for (const Method& method : all_methods()) {
@@ -128,7 +129,7 @@ void list_scenes(bool as_json) {
   Json scenes = Json::array();
   for (const std::filesystem::path& file : all_scene_files()) scenes.push_back(scene_to_json(file));
   if (as_json) {
-    print_result("{}\n", scenes.dump(2));
+    print_result("{}\n", json_text(scenes, 2));
     return;
   }
   for (const Json& scene : scenes) {
@@ -153,7 +154,7 @@ void list_gl(bool as_json) {
     if (!as_json)
       print_result("{:<8} {}\n", device.name, device.problem.empty() ? device.description : device.problem);
   }
-  if (as_json) print_result("{}\n", json.dump(2));
+  if (as_json) print_result("{}\n", json_text(json, 2));
 }
 
 std::string_view layout_text(ExportLayout layout) {
@@ -182,7 +183,7 @@ void list_formats(bool as_json) {
       print_result("{:<5} {}\n      {}: {}{}\n", format.name, format.summary, layout_text(format.layout),
                    format.carries, format.shows_breaks ? "" : "; what breaks doesn't show");
   }
-  if (as_json) print_result("{}\n", json.dump(2));
+  if (as_json) print_result("{}\n", json_text(json, 2));
 }
 
 int list(const ListFlags& flags) {

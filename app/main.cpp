@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "base/failure.h"
+#include "base/json_text.h"
 #include "command_line.h"
 #include "errors_json.h"
 #include "exit_status.h"
@@ -26,7 +27,7 @@ int fail(const char* what, ExitStatus status) {
 
 int refuse(const BadRequest& problem, bool json) {
   if (json) {
-    print_result("{}\n", nlohmann::ordered_json{{"errors", bad_request_to_json(problem)}}.dump(2));
+    print_result("{}\n", json_text(nlohmann::ordered_json{{"errors", bad_request_to_json(problem)}}, 2));
     finish_results();
   }
   return fail(problem.what(), exit_bad_request);

@@ -20,7 +20,7 @@ constexpr std::array<Entry, 8> exit_statuses{{
     {"4", "The output holds something else; --overwrite replaces it."},
     {"5", "verify found what is not as it was made."},
     {"130", "Interrupted. Frames made so far are kept."},
-    {"143", "The same, by TERM."},
+    {"129, 143, 152", "The same, by HUP (but under nohup), TERM or XCPU."},
 }};
 
 constexpr std::array<Entry, 4> variables{{

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/failure.h"
+#include "base/json_text.h"
 #include "command_line.h"
 #include "exit_status.h"
 #include "frames/frame_selection.h"
@@ -24,18 +26,41 @@ namespace {
 
 namespace fs = std::filesystem;
 
+using Json = nlohmann::ordered_json;
+
 struct MergeFlags {
   std::vector<std::string> folders;
   std::string output, film, metrics;
-  bool quiet = false;
+  bool json = false, quiet = false;
 };
 
-int merge_all_frames(const std::vector<fs::path>& folders, const fs::path& into, const MergeFlags& flags,
-                     const StopTest& stop) {
+Json frames_to_json(const MergedFrames& merged, const MergeFlags& flags) {
+  Json json{{"there", merged.count},
+            {"missing", merged.missing},
+            {"unmeasured", merged.unmeasured},
+            {"film", nullptr},
+            {"metrics", nullptr}};
+  if (merged.film_made) json["film"] = flags.film;
+  if (merged.metrics_made) json["metrics"] = flags.metrics;
+  return json;
+}
+
+Json cases_to_json(const std::vector<MergedCases>& joined) {
+  Json json = Json::array();
+  for (const MergedCases& merged : joined)
+    json.push_back({{"file", merged.file.string()},
+                    {"cases", merged.count},
+                    {"shards", merged.shards},
+                    {"holes", merged.holes}});
+  return json;
+}
+
+MergedFrames merge_all_frames(const std::vector<fs::path>& folders, const fs::path& into,
+                              const MergeFlags& flags, const StopTest& stop) {
   MergeWishes wishes;
   if (!flags.film.empty()) wishes.film = flags.film;
   if (!flags.metrics.empty()) wishes.metrics = flags.metrics;
-  const MergedFrames merged = merge_frames(folders, into, wishes, stop);
+  MergedFrames merged = merge_frames(folders, into, wishes, stop);
   if (!merged.missing.empty())
     tell("taut: {}: frames {} are missing\n", into.string(), selection_text(merged.missing));
   if (!merged.unmeasured.empty())
@@ -44,19 +69,19 @@ int merge_all_frames(const std::vector<fs::path>& folders, const fs::path& into,
     tell("{}: {} frames{}{}\n", into.string(), merged.count,
          merged.film_made ? ", film in " + flags.film : "",
          merged.metrics_made ? ", metrics in " + flags.metrics : "");
-  return merged.missing.empty() && merged.unmeasured.empty() ? exit_done : exit_incomplete;
+  return merged;
 }
 
-int merge_all_cases(const std::vector<fs::path>& folders, const fs::path& into, const MergeFlags& flags) {
-  int status = exit_done;
-  for (const MergedCases& merged : merge_cases(folders, into)) {
+std::vector<MergedCases> merge_all_cases(const std::vector<fs::path>& folders, const fs::path& into,
+                                         const MergeFlags& flags) {
+  std::vector<MergedCases> joined = merge_cases(folders, into);
+  for (const MergedCases& merged : joined) {
     for (const std::string& hole : merged.holes) tell("taut: {}: {}\n", merged.file.string(), hole);
     if (!flags.quiet)
       tell("{}: {} cases of {} shards; the same command without --shard draws them\n", merged.file.string(),
            merged.count, merged.shards);
-    if (!merged.holes.empty()) status = exit_incomplete;
   }
-  return status;
+  return joined;
 }
 
 int merge(const MergeFlags& flags) {
@@ -74,8 +99,17 @@ int merge(const MergeFlags& flags) {
   if (!flags.film.empty()) require_film_encoder();
   const InterruptWatch interrupts(end_at_once);
   return unless_interrupted(interrupts, "running the same again goes on", [&] {
-    const int joined = frames ? merge_all_frames(folders, into, flags, stop_test(interrupts)) : exit_done;
-    return std::max(joined, merge_all_cases(folders, into, flags));
+    std::optional<MergedFrames> pictures;
+    if (frames) pictures = merge_all_frames(folders, into, flags, stop_test(interrupts));
+    const std::vector<MergedCases> cases = merge_all_cases(folders, into, flags);
+    if (flags.json)
+      print_result("{}\n", json_text(Json{{"folder", into.string()},
+                                          {"frames", pictures ? frames_to_json(*pictures, flags) : Json()},
+                                          {"cases", cases_to_json(cases)}},
+                                     2));
+    const bool whole = (!pictures || (pictures->missing.empty() && pictures->unmeasured.empty())) &&
+                       std::ranges::all_of(cases, [](const MergedCases& each) { return each.holes.empty(); });
+    return whole ? exit_done : exit_incomplete;
   });
 }
 
@@ -94,6 +128,7 @@ void add_merge(CommandLine& program) {
   verb->add_option("--metrics", flags->metrics,
                    "Join the metrics that the shards have kept, as .csv or .jsonl as they are")
       ->names_a(ValueKind::file);
+  verb->add_flag("--json", flags->json, "Print what was joined as JSON on stdout");
   verb->add_flag("--quiet", flags->quiet, "Say only what is missing");
   verb->footer(
       "Status 3: something is missing. Joining again changes nothing.\n\n"

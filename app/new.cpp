@@ -5,11 +5,13 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/failure.h"
+#include "base/json_text.h"
 #include "choices.h"
 #include "command_line.h"
 #include "exit_status.h"
@@ -27,7 +29,7 @@ namespace fs = std::filesystem;
 
 struct NewFlags {
   std::string name, kind, like;
-  bool quiet = false;
+  bool json = false, quiet = false;
 };
 
 std::vector<std::string_view> kinds() {
@@ -73,6 +75,17 @@ std::string copy_of(const std::string& scene, const std::string& name) {
   return text;
 }
 
+std::vector<std::string> commands_to_try(const std::string& file, const NewFlags& flags,
+                                         const SceneTemplate& begun) {
+  std::vector<std::string> commands{fmt::format("taut still {} --at 1s -o {}.png", file, flags.name),
+                                    fmt::format("taut render {} --film {}.mp4", file, flags.name)};
+  if (flags.like.empty())
+    commands.push_back(
+        fmt::format("taut render {} {} --no-frames --film {}-2.mp4", file, begun.look, flags.name));
+  commands.push_back(fmt::format("taut check {} --explain", file));
+  return commands;
+}
+
 int make_scene(const NewFlags& flags) {
   check_name(flags.name);
   const std::string kind = flags.kind.empty() ? "chain" : flags.kind;
@@ -84,13 +97,13 @@ int make_scene(const NewFlags& flags) {
   if (fs::exists(fs::symlink_status(file, error)))
     throw OutputConflict(fmt::format("{} is there already, and stays as it is", file.string()));
   write_file(file, text);
-  if (flags.quiet) return exit_done;
-  tell("{} is written. Next:\n", file.string());
-  print_result("taut still {0} --at 1s -o {1}.png\ntaut render {0} --film {1}.mp4\n", file.string(),
-               flags.name);
-  if (flags.like.empty())
-    print_result("taut render {} {} --no-frames --film {}-2.mp4\n", file.string(), begun.look, flags.name);
-  print_result("taut check {} --explain\n", file.string());
+  const std::vector<std::string> next = commands_to_try(file.string(), flags, begun);
+  if (flags.json) {
+    print_result("{}\n", json_text(nlohmann::ordered_json{{"file", file.string()}, {"next", next}}, 2));
+  } else if (!flags.quiet) {
+    tell("{} is written. Next:\n", file.string());
+    for (const std::string& command : next) print_result("{}\n", command);
+  }
   return exit_done;
 }
 
@@ -108,6 +121,7 @@ void add_new(CommandLine& program) {
   verb->add_option("--like", flags->like, "A copy of this scene instead, a file or one of `taut list scenes`")
       ->names_a(ValueKind::scene)
       ->excludes(kind);
+  verb->add_flag("--json", flags->json, "Print the file's name and what to try next as JSON");
   verb->add_flag("--quiet", flags->quiet, "Don't say what to try next");
   verb->footer(
       "Example:\n  taut new rope && taut render rope.toml --film rope.mp4\n  taut new flag-2 --like flag");

@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/failure.h"
+#include "base/json_text.h"
+#include "estimate.h"
 #include "exit_status.h"
 #include "frames/shard_file.h"
 #include "host/machine.h"
@@ -62,7 +64,7 @@ void print_json(std::span<const Scene> scenes, const RenderRequest& request, con
   if (request.folder) json["folder"] = request.folder->string();
   if (request.film && !outcome.stopped) json["film"] = request.film->string();
   if (request.metrics) json["metrics"] = request.metrics->string();
-  print_result("{}\n", json.dump(2));
+  print_result("{}\n", json_text(json, 2));
 }
 
 void print_stages(const RenderOutcome& outcome) {
@@ -160,6 +162,11 @@ int render_and_report(std::span<Scene> scenes, const RenderRequest& request, con
     certifier.emplace(scenes.front(), stop);
     watched.watch = [&](const State& state) { certifier->see(state); };
   }
+  if (!flags.quiet)
+    watched.foretell = [&](std::size_t frames, double seconds) {
+      const std::string note = drawing_note(frames, seconds);
+      if (!note.empty()) tell("taut: {}: note: {}\n", scenes.front().name, note);
+    };
   const RenderOutcome outcome = render_frames(scenes, watched, progress, stop);
   std::optional<Certificate> certificate;
   const int certified = unless_interrupted(interrupts, "all frames are there, but no certificate", [&] {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,6 +12,7 @@
 
 #include "base/diagnostic.h"
 #include "base/failure.h"
+#include "base/json_text.h"
 #include "base/nearest.h"
 #include "choices.h"
 #include "command_line.h"
@@ -37,7 +39,7 @@ struct PlotFlags {
   SceneFlags scene;
   std::string motion, rate, file;
   std::vector<std::string> shown, paths;
-  bool quiet = false;
+  bool json = false, quiet = false;
 };
 
 // What is seen of a run: its metrics, or the ways of masses.
@@ -95,7 +97,12 @@ void write_figure(const PlotScript& script, const fs::path& stem, const PlotFlag
                   const StopTest& stop) {
   if (stem.has_parent_path()) make_folder(stem.parent_path());
   write_plot(script, stem, stop);
-  if (!flags.quiet) tell("{0}.png, {0}.svg\n", stem.string());
+  if (flags.json)
+    print_result("{}\n", json_text(nlohmann::ordered_json{{"png", stem.string() + ".png"},
+                                                          {"svg", stem.string() + ".svg"}},
+                                   2));
+  else if (!flags.quiet)
+    tell("{0}.png, {0}.svg\n", stem.string());
 }
 
 bool is_metrics_file(const std::string& what) {
@@ -175,6 +182,7 @@ void add_plot(CommandLine& program) {
                    "Name of the two files, with or without an ending; replaced when they exist "
                    "[out/<scene>-plot]")
       ->names_a(ValueKind::file);
+  verb->add_flag("--json", flags->json, "Print the files' names as JSON on stdout");
   verb->add_flag("--quiet", flags->quiet, "No messages but errors");
   verb->footer(
       "Example:\n  taut render hanging-chain --metrics chain.csv\n  taut plot chain.csv -o chain\n  taut "

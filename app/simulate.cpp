@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "base/json_text.h"
 #include "command_line.h"
 #include "exit_status.h"
 #include "flags.h"
@@ -42,7 +43,7 @@ void print_json(const Scene& scene, const MotionRequest& request, const MotionOu
       {"stopped", outcome.stopped}};
   if (request.metrics) json["metrics"] = request.metrics->string();
   if (outcome.measures) json["measures"] = measures_to_json(*outcome.measures, scene);
-  print_result("{}\n", json.dump(2));
+  print_result("{}\n", json_text(json, 2));
 }
 
 void print_motion(const Scene& scene, const MotionRequest& request, const MotionOutcome& outcome) {

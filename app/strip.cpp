@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "base/json_text.h"
 #include "base/stop.h"
 #include "command_line.h"
 #include "exit_status.h"
@@ -50,7 +51,7 @@ int strip(const StripFlags& flags) {
     nlohmann::ordered_json json{{"scene", scene.name}, {"times", times}, {"file", flags.file}};
     if (plan) json["plan"] = plan_to_json(*plan);
     if (note) json["note"] = *note;
-    print_result("{}\n", json.dump(2));
+    print_result("{}\n", json_text(json, 2));
   }
   if (!flags.quiet) tell("{}: {} pictures, in {}\n", scene.name, times.size(), flags.file);
   if (!flags.quiet && note) tell("taut: note: {}\n", *note);

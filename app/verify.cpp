@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/failure.h"
+#include "base/json_text.h"
 #include "command_line.h"
 #include "exit_status.h"
 #include "frames/frame_selection.h"
@@ -49,14 +50,14 @@ int verify_output(const VerifyFlags& flags) {
     Progress progress(stderr, progress_style(stderr, flags.quiet), "frames");
     const Verification found = found_in(flags, progress, stop_test(interrupts));
     if (flags.json)
-      print_result("{}\n", nlohmann::ordered_json{{"output", flags.output},
-                                                  {"whole", found.faults.empty()},
-                                                  {"checked", found.checked},
-                                                  {"faults", found.faults},
-                                                  {"notes", found.notes},
-                                                  {"frames_missing", found.missing},
-                                                  {"holes", found.holes}}
-                               .dump(2));
+      print_result("{}\n", json_text(nlohmann::ordered_json{{"output", flags.output},
+                                                            {"whole", found.faults.empty()},
+                                                            {"checked", found.checked},
+                                                            {"faults", found.faults},
+                                                            {"notes", found.notes},
+                                                            {"frames_missing", found.missing},
+                                                            {"holes", found.holes}},
+                                     2));
     for (const std::string& fault : found.faults) tell("taut: {}: {}\n", flags.output, fault);
     if (!flags.quiet) {
       for (const std::string& note : found.notes) tell("taut: note: {}\n", note);

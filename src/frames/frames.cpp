@@ -23,6 +23,7 @@
 #include "frames/metrics.h"
 #include "frames/panels.h"
 #include "frames/picture_notes.h"
+#include "frames/picture_price.h"
 #include "frames/settled_colours.h"
 #include "frames/settled_view.h"
 #include "metrics_recorder.h"
@@ -71,6 +72,7 @@ class Pipeline {
   void finish_frames(const PanelPainter& painter);
   void serve(Lane& lane);
   PanelRuns begin_runs() const;
+  void foretell() const;
   std::shared_ptr<const Checkpoint> checkpoint(PanelRuns& runs, int frame, double time);
   void finish(std::optional<Film>& film);
 
@@ -110,6 +112,15 @@ PanelRuns Pipeline::begin_runs() const {
   if (request_.motion) return {scenes_.front(), *request_.motion};
   if (job_.resume) return {scenes_, job_.resume->state, request_.execution};
   return PanelRuns(scenes_, request_.execution);
+}
+
+void Pipeline::foretell() const {
+  if (!request_.foretell) return;
+  double seconds = 0.0;
+  for (const Scene& scene : scenes_)
+    seconds += predicted_picture_seconds(scene.model, request_.picture.render);
+  const std::size_t pictures = job_.to_draw();
+  request_.foretell(pictures, seconds * static_cast<double>(pictures));
 }
 
 std::shared_ptr<const Checkpoint> Pipeline::checkpoint(PanelRuns& runs, int frame, double time) {
@@ -286,6 +297,7 @@ RenderOutcome Pipeline::run() {
   PanelRuns runs = begin_runs();  // first of all: what a method refuses is said before anything is written
   // So is that there is no way to draw, or no exact shape.
   PanelPainter painter(scenes_, request_.picture);
+  foretell();
   std::optional<Film> film;
   // What is hidden only helps a film that can be begun.
   if (job_.film.make) begin_film(film, film_settings(request_, scenes_.size(), job_.frames));

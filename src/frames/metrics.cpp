@@ -11,6 +11,7 @@
 
 #include "base/bytes.h"
 #include "base/failure.h"
+#include "base/json_text.h"
 #include "frames/colouring.h"
 #include "panel_runs.h"
 
@@ -69,7 +70,7 @@ std::string json_row(const FrameMetrics& row, std::span<const std::string_view> 
   for (std::size_t i = 0; i < stages.size(); ++i)
     json[stage_column(stages[i])] =
         i < row.stage_seconds.size() ? Json(std::round(row.stage_seconds[i] * 1e6) * 1e-6) : Json();
-  return json.dump() + "\n";
+  return json_text(json) + "\n";
 }
 
 }  // namespace

@@ -132,6 +132,12 @@ std::vector<int> RenderJob::done_before() const {
   return done;
 }
 
+std::size_t RenderJob::to_draw() const {
+  const auto lacking =
+      std::ranges::count_if(frames, [&](int frame) { return !folder || !folder->has(frame); });
+  return film.make && !only_film ? frames.size() - done_before().size() : static_cast<std::size_t>(lacking);
+}
+
 const Manifest* RenderJob::known() const {
   if (folder && !hides_frames) return &folder->manifest();
   return film_manifest ? &*film_manifest : nullptr;

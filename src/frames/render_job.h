@@ -29,6 +29,8 @@ struct RenderJob {
 
   /// The frames that needn't be simulated: a film takes them from their files.
   std::vector<int> done_before() const;
+  /// How many frames are to be drawn: a film alone needs all, a folder those that it lacks.
+  std::size_t to_draw() const;
   /// What knows of films and metrics on disk: the manifest of book(); null where there is none.
   const Manifest* known() const;
   /// Where they are entered: the folder's manifest or the film's own.

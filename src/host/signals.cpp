@@ -12,7 +12,8 @@
 namespace taut {
 namespace {
 
-constexpr std::array watched{SIGINT, SIGTERM};
+// Also what comes when a terminal goes away, and when the time that the system gives is used up.
+constexpr std::array watched{SIGHUP, SIGINT, SIGTERM, SIGXCPU};
 #ifdef TAUT_SANITIZED
 constexpr double seconds_to_end = 6.0;
 #else
@@ -50,6 +51,13 @@ bool wait_for_news(double seconds) {
   return result == 0;
 }
 
+// Whoever starts a program by nohup wants it to go on without its terminal. (An ignored SIGINT says nothing
+// of the kind: shells ignore it for whatever a script starts in the background.)
+bool is_to_outlive(int signal) {
+  struct sigaction now {};
+  return signal == SIGHUP && ::sigaction(signal, nullptr, &now) == 0 && now.sa_handler == SIG_IGN;
+}
+
 }  // namespace
 
 void ignore_write_signals() {
@@ -69,13 +77,15 @@ InterruptWatch::InterruptWatch(std::function<void(int)> end_at_once) {
   action.sa_handler = remember_signal;
   // One shot: the second signal finds the default action. Restart: library calls need not know of this.
   action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
-  for (const int signal : watched) ::sigaction(signal, &action, nullptr);
+  for (const int signal : watched)
+    if (!is_to_outlive(signal)) ::sigaction(signal, &action, nullptr);
 }
 
 InterruptWatch::~InterruptWatch() {
   struct sigaction action {};
   action.sa_handler = SIG_DFL;
-  for (const int signal : watched) ::sigaction(signal, &action, nullptr);
+  for (const int signal : watched)
+    if (!is_to_outlive(signal)) ::sigaction(signal, &action, nullptr);
   ::sem_post(&news);
   deadline_.join();
   ::sem_destroy(&news);

@@ -7,6 +7,7 @@
 
 #include "base/failure.h"
 #include "base/hash.h"
+#include "base/json_text.h"
 #include "output/atomic_file.h"
 
 namespace taut {
@@ -125,7 +126,7 @@ std::string manifest_text(const Manifest& manifest) {
             {"contents", frames_to_json(manifest, &FrameRecord::content)}};
   if (!manifest.folder.empty()) json["folder"] = manifest.folder;
   constexpr int indent = 1;
-  return json.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(json, indent) + "\n";
 }
 
 void write_manifest(const std::filesystem::path& file, const Manifest& manifest) {

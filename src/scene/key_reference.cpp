@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "base/json_text.h"
 #include "colour_names.h"
 #include "scene/scene.h"
 #include "section.h"
@@ -92,7 +93,7 @@ std::string key_reference_json() {
                     {"help", section.help},
                     {"groups", std::move(groups)}});
   }
-  return list.dump(2);
+  return json_text(list, 2);
 }
 
 std::string key_reference() {

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "base/failure.h"
+#include "base/json_text.h"
 #include "host/build_info.h"
 #include "output/atomic_file.h"
 #include "output/file_lock.h"
@@ -35,7 +36,7 @@ using Json = nlohmann::ordered_json;
 }
 
 std::string header_for(std::string_view inputs) {
-  return Json{{"taut", "cases"}, {"inputs", inputs}}.dump() + "\n";
+  return json_text(Json{{"taut", "cases"}, {"inputs", inputs}}) + "\n";
 }
 
 std::string read_all(const std::filesystem::path& file, int descriptor) {
@@ -54,7 +55,7 @@ std::string read_all(const std::filesystem::path& file, int descriptor) {
 std::optional<std::pair<std::string, std::string>> read_line(std::string_view line) {
   try {
     const Json json = Json::parse(line);
-    return std::pair(json.at("case").get<std::string>(), json.at("result").dump());
+    return std::pair(json.at("case").get<std::string>(), json_text(json.at("result")));
   } catch (const Json::exception&) {
     return std::nullopt;
   }
@@ -128,8 +129,8 @@ void CaseStore::append(std::string_view left) {
 void CaseStore::add(const std::string& key, std::string_view json) {
   if (has(key)) throw std::logic_error(fmt::format("the case {} was run twice", key));
   const Json result = Json::parse(json);
-  append(Json{{"case", key}, {"build", build_info()}, {"result", result}}.dump() + "\n");
-  results_.emplace(key, result.dump());
+  append(json_text(Json{{"case", key}, {"build", build_info()}, {"result", result}}) + "\n");
+  results_.emplace(key, json_text(result));
 }
 
 CaseCount CaseStore::count(const std::vector<std::string>& planned) const {

@@ -8,6 +8,7 @@
 
 #include "base/failure.h"
 #include "base/hash.h"
+#include "base/json_text.h"
 #include "base/stopwatch.h"
 #include "chart_json.h"
 #include "host/versions.h"
@@ -130,7 +131,7 @@ Chart measure_chart(const Scene& scene, const ChartRequest& request, const std::
       chart.stopped = stop && stop();
       if (chart.stopped || watch.seconds() > request.budget) break;
       const Settings settings = settings_at_place(curve, point->fineness, point->row);
-      store.add(key, case_to_json(run_case(scene, chart.truth, settings, request.budget)).dump());
+      store.add(key, json_text(case_to_json(run_case(scene, chart.truth, settings, request.budget))));
     }
     chart.cases.push_back(case_from_json(store.result(key), *point));
     walk.record(chart.cases.back().run);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/failure.h"
+#include "base/json_text.h"
 #include "errors_json.h"
 #include "methods/registry.h"
 #include "study/chart_files.h"
@@ -176,7 +177,7 @@ std::string chart_json(const Chart& chart) {
       {"commit", chart.machine.commit},
       {"curves", curves},
       {"cases", cases}};
-  return json.dump(1) + "\n";
+  return json_text(json, 1) + "\n";
 }
 
 Chart chart_from_json(const std::string& text, const std::string& file) {

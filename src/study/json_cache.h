@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/failure.h"
+#include "base/json_text.h"
 #include "output/atomic_file.h"
 
 namespace taut {
@@ -24,7 +25,7 @@ auto cached(const std::filesystem::path& file, const Make& make, const ToJson& t
   const auto made = make();
   try {
     make_folder(file.parent_path());
-    write_file(file, std::string(to_json(made).dump()));
+    write_file(file, json_text(to_json(made)));
   } catch (const RunFailure&) {
     // No cache, then.
   }

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/json_text.h"
+
 namespace taut {
 namespace {
 
@@ -54,7 +56,7 @@ std::string map_column_to_json(const MapColumn& column) {
   if (column.edge) json["edge"] = {{"holds", column.edge->holds}, {"fails", column.edge->fails}};
   if (column.predicted)
     json["predicted"] = {{"value", column.predicted->value}, {"formula", column.predicted->formula}};
-  return json.dump();
+  return json_text(json);
 }
 
 MapColumn map_column_from_json(const std::string& text) {

@@ -25,7 +25,8 @@ using Groups = std::map<fs::path, std::vector<ShardCases>>;
 Groups groups_in(std::span<const fs::path> folders) {
   Groups groups;
   for (const fs::path& folder : folders)
-    for (const auto& entry : fs::recursive_directory_iterator(folder))
+    for (const auto& entry :
+         fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied))
       if (const auto name = shard_file_name(entry.path().filename().string());
           name && is_case_file(entry.path()))  // metrics of shards are called alike
         groups[fs::relative(entry.path().parent_path(), folder) / name->file].push_back(

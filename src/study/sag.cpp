@@ -10,6 +10,7 @@
 
 #include "base/failure.h"
 #include "base/hash.h"
+#include "base/json_text.h"
 #include "host/versions.h"
 #include "json_cache.h"
 #include "methods/registry.h"
@@ -88,7 +89,7 @@ class Shapes {
     if (!known_.contains(key)) {
       const RestShape shape =
           cached(reference_folder() / fmt::format("sag-{}.json", key), made, shape_to_json, from_json);
-      known_[key] = shape_to_json(shape).dump();
+      known_[key] = json_text(shape_to_json(shape));
       store().add(key, known_[key]);
     }
     return from_json(nlohmann::ordered_json::parse(known_[key]));

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "base/json_text.h"
 #include "host/build_info.h"
 #include "output/gnuplot.h"
 #include "output/plot_colour.h"
@@ -76,7 +77,7 @@ std::string sag_json(const Scene& scene, const SagStudy& study) {
                                {"sag_error", entry.sag_error},
                                {"position_error", entry.position_error},
                                {"largest_strain", entry.largest_strain}});
-  return json.dump(2) + "\n";
+  return json_text(json, 2) + "\n";
 }
 
 void write_sag_files(const Scene& scene, const SagStudy& study, const PictureSettings& settings,

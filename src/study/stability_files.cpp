@@ -7,6 +7,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "base/json_text.h"
 #include "host/build_info.h"
 #include "map_column_json.h"
 #include "stability_plot.h"
@@ -120,7 +121,7 @@ std::string stability_json(const StabilityMaps& maps, const Scene& scene) {
       {"scene", scene.name},           {"axes", maps.grid.axes->name}, {"duration", maps.grid.duration},
       {"columns", maps.grid.columns},  {"rows", maps.grid.rows},       {"completed", maps.count.completed},
       {"planned", maps.count.planned}, {"build", build_info()},        {"methods", std::move(methods)}};
-  return json.dump(1) + "\n";
+  return json_text(json, 1) + "\n";
 }
 
 void write_stability_files(const StabilityMaps& maps, const Scene& scene, const std::filesystem::path& folder,

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/failure.h"
+#include "base/json_text.h"
 #include "host/build_info.h"
 #include "host/versions.h"
 #include "output/atomic_file.h"
@@ -27,11 +28,11 @@ std::string contents_text(const StudyContents& contents) {
   Json files = Json::object();
   for (const auto& [name, file] : contents.files)
     files[name] = {{"bytes", file.bytes}, {"content", file.content}};
-  return Json{{"taut_contents", contents_version}, {"kind", contents.kind},       {"build", contents.build},
-              {"physics", contents.physics},       {"judging", contents.judging}, {"open", contents.open},
-              {"files", std::move(files)}}
-             .dump(1) +
-         "\n";
+  const Json json{{"taut_contents", contents_version}, {"kind", contents.kind},
+                  {"build", contents.build},           {"physics", contents.physics},
+                  {"judging", contents.judging},       {"open", contents.open},
+                  {"files", std::move(files)}};
+  return json_text(json, 1) + "\n";
 }
 
 }  // namespace

@@ -28,7 +28,8 @@ namespace fs = std::filesystem;
 std::vector<fs::path> contents_below(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code error;
-  for (const auto& entry : fs::recursive_directory_iterator(folder, error))
+  for (const auto& entry :
+       fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied, error))
     if (entry.path().filename() == study_contents_name) files.push_back(entry.path());
   std::ranges::sort(files);
   return files;

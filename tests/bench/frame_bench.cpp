@@ -12,6 +12,7 @@
 #include <string>
 
 #include "frames/painter.h"
+#include "frames/picture_price.h"
 #include "frames/settled_view.h"
 #include "frames/simulation.h"
 #include "output/png.h"
@@ -70,6 +71,15 @@ void compress(benchmark::State& run, Subject subject) {
   for (auto round : run) benchmark::DoNotOptimize(taut::encode_png(image));
 }
 
+// All stages, one after another; the counter is what is foretold of them (ms).
+void whole_picture(benchmark::State& run, Subject subject) {
+  const taut::Scene scene = scene_of(subject);
+  taut::Painter painter(scene, standard());
+  const taut::State state = *taut::Simulation(scene).at(subject.time);
+  for (auto round : run) benchmark::DoNotOptimize(taut::encode_png(painter.draw(state)));
+  run.counters["foretold"] = 1e3 * taut::predicted_picture_seconds(scene.model, standard().render);
+}
+
 void empty_picture(benchmark::State& run) {
   taut::Scene scene = scene_of({"pendulum", 0.0});
   scene.look = {};
@@ -95,6 +105,7 @@ const bool added = [] {
   add("draw", draw);
   add("flatten", finish);
   add("compress", compress);
+  add("whole", whole_picture);
   benchmark::RegisterBenchmark("draw/empty picture", empty_picture)
       ->MeasureProcessCPUTime()
       ->Unit(benchmark::kMillisecond);

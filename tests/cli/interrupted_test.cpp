@@ -31,19 +31,34 @@ std::size_t count_of(const fs::path& folder, const std::string& ending) {
   return count;
 }
 
-class InterruptedTest : public ::testing::TestWithParam<std::pair<const char*, int>> {};
+// SIGINT and SIGTERM are among the signals that it catches.
+const std::string until_it_listens =
+    "until grep -Eq '^SigCgt:.*[4567c-f]..[2367abef]$' /proc/$process/status\n"
+    "do kill -0 $process || break; sleep 0.02; done; sleep 0.2\n";
 
-TEST_P(InterruptedTest, KeepsWholeFramesAndSaysSo) {
+void expect_whole_frames_after(const std::string& signal, int status) {
   const TemporaryFolder folder;
-  const auto [signal, status] = GetParam();
   const Ran ran = interrupted_render(folder, signal);
   EXPECT_EQ(ran.status, status) << ran.err;
+  EXPECT_NE(ran.err.find("small: note: to draw 9000"), std::string::npos) << "50 min of film: " << ran.err;
   const Json manifest = Json::parse(read_file(folder / "frames/manifest.json"));
   EXPECT_GE(manifest["frames"].size(), 5U);
   EXPECT_EQ(count_of(folder / "frames", ".png"), manifest["frames"].size());
   EXPECT_EQ(count_of(folder / "frames", ".part"), 0U);
   EXPECT_FALSE(fs::exists(folder / "film.mp4"));
   EXPECT_EQ(folder.entries(), 2U) << "the scene and the frames, and nothing half made";
+}
+
+class InterruptedTest : public ::testing::TestWithParam<std::pair<const char*, int>> {};
+
+TEST_P(InterruptedTest, KeepsWholeFramesAndSaysSo) {
+  expect_whole_frames_after(GetParam().first, GetParam().second);
+}
+
+// A terminal that goes away, and time that is used up.
+TEST(Interrupted, ByWhateverElseComesFromOutside) {
+  expect_whole_frames_after("HUP", 129);
+  expect_whole_frames_after("XCPU", 152);
 }
 
 INSTANTIATE_TEST_SUITE_P(Signals, InterruptedTest,
@@ -85,7 +100,8 @@ TEST_P(InterruptedTest, EndsAPlanToo) {
         plans ? " --accuracy 0.01% --search 60s -o '" + (folder / "out") + "'" : " --certify";
     // Frames are there only once the plan is made.
     const std::string script = std::string("'" TAUT_PROGRAM "' ") + verb + " '" + scene + "'" + where +
-                               " & process=$!; sleep 0.4; kill -" + signal + " $process; wait $process";
+                               " & process=$!\n" + until_it_listens + "kill -" + signal +
+                               " $process; wait $process";
     const Ran ran = run_program("/bin/sh", {"-c", script}, {{"TAUT_CACHE", folder / "cache"}});
     EXPECT_EQ(ran.status, status) << verb << ran.err;
     EXPECT_NE(ran.err.find("interrupted"), std::string::npos) << verb << ran.err;
@@ -130,6 +146,19 @@ diagonals = true
   EXPECT_EQ(ran.status, status) << ran.err;
   EXPECT_NE(ran.err.find("interrupted in the middle of a step"), std::string::npos) << ran.err;
   EXPECT_EQ(folder.entries(), 1U) << "the scene, and nothing half made";
+}
+
+// A terminal that goes away takes nothing with it that was started so that it stays.
+TEST(Hangup, IsNothingUnderNohup) {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("small.toml", small_scene());
+  const std::string script = "nohup '" TAUT_PROGRAM "' render '" + scene + "' --set world.duration=4 -o '" +
+                             (folder / "frames") + "' --size 64x48 & process=$!; while [ ! -e '" +
+                             (folder / "frames") +
+                             "/frame-000005.png' ]; do sleep 0.02; done; kill -HUP $process; wait $process";
+  const Ran ran = run_program("/bin/sh", {"-c", script});
+  EXPECT_EQ(ran.status, 0) << ran.err;
+  EXPECT_EQ(count_of(folder / "frames", ".png"), 120U);
 }
 
 TEST(Killed, TheNextRunGoesOnFromTheManifest) {

@@ -20,6 +20,7 @@
 
 #include "base/bytes.h"
 #include "base/failure.h"
+#include "base/json_text.h"
 #include "export/binary.h"
 #include "export/formats.h"
 #include "export/glb_parts.h"
@@ -90,7 +91,7 @@ class GlbExport : public MotionExport {
     const std::string times = bytes_of_times();
     const std::uint64_t weights = std::uint64_t{times_.size()} * (times_.size() - 1) * sizeof(float);
     const std::uint64_t binary = vertices_.size() + corners.size() + times.size() + weights;
-    std::string json = description(corners.size(), times.size(), weights).dump();
+    std::string json = json_text(description(corners.size(), times.size(), weights));
     json.append((4 - json.size() % 4) % 4, ' ');
     write_chunk_heads(json, binary);
     vertices_.copy(0, vertices_.size(), write_);

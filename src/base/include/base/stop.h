@@ -8,7 +8,7 @@ namespace taut {
 /// Asked now and then by whatever takes long; true means: come to a whole end soon.
 using StopTest = std::function<bool()>;
 
-/// What was told to stop had nothing whole to show yet. Exit status 130 or 143.
+/// What was told to stop had nothing whole to show yet. Exit status 128 and the signal's number.
 class Interrupted : public std::runtime_error {
  public:
   Interrupted() : std::runtime_error("interrupted") {}

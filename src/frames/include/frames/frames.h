@@ -31,6 +31,8 @@ struct RenderRequest {
   int cores = 1;             ///< that all stages have together
   /// Shown every state of the run as it is simulated (of several, of the first); may be empty.
   std::function<void(const State&)> watch;
+  /// Told before the run how many frames are to be drawn and how long that takes (s), about; may be empty.
+  std::function<void(std::size_t, double)> foretell;
   std::optional<std::filesystem::path> metrics;  ///< what is measured of every frame, see metrics.h
   std::string plan;  ///< why the scene is run as it is, for the manifest; may be empty
   Shard shard;       ///< which part of the frames

@@ -9,8 +9,9 @@ namespace taut {
 /// told, instead of ending the process without a word.
 void ignore_write_signals();
 
-/// While it lives, the first SIGINT or SIGTERM does not end the process but is remembered, so that what is
-/// being made can be brought to a whole end; the second one ends it as usual. At most one at a time.
+/// While it lives, the first SIGINT, SIGTERM, SIGXCPU or SIGHUP (but under nohup) does not end the process
+/// but is remembered, so that what is being made can be brought to a whole end; the second one ends it as
+/// usual. At most one at a time.
 class InterruptWatch {
  public:
   /// `end_at_once` is called with the signal, in a thread of its own, where the watch still lives 0.8 s after
