@@ -11,8 +11,9 @@
 
 namespace taut {
 
-/// So many links at most are worked on at once: what they take stays in the nearest cache.
-inline constexpr std::size_t most_block_links = 128;
+/// So many links at most are worked on at once: what they take stays in the nearest cache, and is long enough
+/// for memory to read ahead.
+inline constexpr std::size_t most_block_links = 512;
 
 /// Links that follow each other: link `link` + k joins the masses `mass` + k and `mass` + k + 1. Of the
 /// masses `mass` + k between the links `link` + k − 1 and `link` + k, those from `inner_begin` to before
