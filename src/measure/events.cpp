@@ -45,7 +45,11 @@ Model without_unlocated_events(const Model& model, const State& start) {
 std::optional<Event> first_event(const Model& model, const State& start, double horizon,
                                  const StopTest& stop) {
   if (!has_events(model)) return std::nullopt;
-  const Model calm = without_unlocated_events(model, start);
+  return first_event(model, without_unlocated_events(model, start), start, horizon, stop);
+}
+
+std::optional<Event> first_event(const Model& model, const Model& calm, const State& start, double horizon,
+                                 const StopTest& stop) {
   if (calm.contacts.size() == model.contacts.size() && calm.limits.size() == model.limits.size() &&
       calm.breakable_links.size() == model.breakable_links.size())
     return std::nullopt;

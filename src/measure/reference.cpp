@@ -220,8 +220,8 @@ Reference calm_reference(const Model& model, const State& start, const std::vect
 
 Reference make_reference(const Model& model, const State& start, const std::vector<double>& times,
                          double accuracy, double most_seconds, const StopTest& stop) {
-  const std::optional<Event> event = first_event(model, start, times.back(), stop);
   const Model calm = without_unlocated_events(model, start);
+  const std::optional<Event> event = first_event(model, calm, start, times.back(), stop);
   if (const auto problems = refusals(calm, start, complete_settings({"dop853", {}})); !problems.empty())
     return refused(problems.front());
   if (!event) return calm_reference(calm, start, times, accuracy, most_seconds, stop);

@@ -8,6 +8,8 @@ if(TAUT_SANITIZE)
   target_compile_definitions(taut_methods PRIVATE HWY_COMPILE_ONLY_SCALAR)
 endif()
 
-# It includes itself, once for every set of vector instructions.
-set_source_files_properties(${CMAKE_CURRENT_SOURCE_DIR}/methods/relax/kernels.cpp
+# They include themselves, once for every set of vector instructions.
+set_source_files_properties(${CMAKE_CURRENT_SOURCE_DIR}/methods/high_order/chain_motion.cpp
+                            ${CMAKE_CURRENT_SOURCE_DIR}/methods/high_order/phase_sums.cpp
+                            ${CMAKE_CURRENT_SOURCE_DIR}/methods/relax/kernels.cpp
                             PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "high_order/tableau.h"
+#include "high_order/second_order.h"
 #include "model/limit_motion.h"
 
 namespace taut::test {
@@ -30,6 +30,30 @@ TEST(Tableau, FulfilsItsConditions) {
   }
   EXPECT_NEAR(moment(fifth_order_error, 0), 0.0, 1e-14);
   EXPECT_NEAR(moment(third_order_error, 0), 0.0, 1e-14);
+}
+
+// Σ ā_ij = c_i²/2 and, in all stages but the first few, Σ ā_ij c_j = c_i³/6; at the end Σ b̄_i c_i^(k−2) =
+// 1/(k (k−1)) to order 8, and b̄_i = b_i (1 − c_i).
+TEST(SecondOrder, WeightsOfPositionsFulfilTheirConditions) {
+  using namespace dop853;
+  const auto moment = [](const Row& row, int power) {
+    double sum = 0.0;
+    for (std::size_t j = 0; j < all_stages; ++j) sum += row[j] * std::pow(nodes[j], power);
+    return sum;
+  };
+  for (std::size_t stage = 2; stage < all_stages; ++stage) {
+    const Row row = for_positions(weights[stage]);
+    EXPECT_NEAR(moment(row, 0), std::pow(nodes[stage], 2) / 2.0, 4e-14) << stage;
+    if (stage > 4) {
+      EXPECT_NEAR(moment(row, 1), std::pow(nodes[stage], 3) / 6.0, 4e-14) << stage;
+    }
+    for (std::size_t j = stage - 1; j < all_stages; ++j) EXPECT_EQ(row[j], 0.0) << stage << ' ' << j;
+  }
+  const Row end = for_positions(weights[stages]);
+  for (int k = 2; k <= 8; ++k) EXPECT_NEAR(moment(end, k - 2), 1.0 / (k * (k - 1)), 4e-15) << k;
+  for (std::size_t j = 0; j < stages; ++j) EXPECT_NEAR(end[j], weights[stages][j] * (1.0 - nodes[j]), 4e-15);
+  EXPECT_NEAR(moment(for_positions(fifth_order_error), 0), 0.0, 1e-14);
+  for (const Row& row : interpolant) EXPECT_NEAR(moment(row, 0), 0.0, 1e-12);
 }
 
 // Angles along a motion, by differences of the angle itself.

@@ -144,17 +144,17 @@ LinkSystem make_link_system(const Model& model, const std::vector<Index>& links)
   if (const auto path = path_order(model, links)) {
     SystemLinks ordered = in_order(*path, [](Index i) { return i; });
     auto matrix = make_path_matrix(ordered);
-    return {std::move(ordered), std::move(matrix)};
+    return {std::move(ordered), std::move(matrix), true};
   }
   if (const auto tree = tree_order(model, links)) {
     SystemLinks ordered = in_order(*tree, [](const TreeStep& step) { return step.link; });
     auto matrix = make_tree_matrix(model, ordered, *tree);
-    return {std::move(ordered), std::move(matrix)};
+    return {std::move(ordered), std::move(matrix), false};
   }
   SystemLinks ordered =
       in_order(net_order(gather(model, links), model.masses.size()), [](Index i) { return i; });
   auto matrix = make_net_matrix(ordered, model.masses.size());
-  return {std::move(ordered), std::move(matrix)};
+  return {std::move(ordered), std::move(matrix), false};
 }
 
 }  // namespace taut

@@ -77,6 +77,7 @@ class LinkMatrix {
 struct LinkSystem {
   SystemLinks links;
   std::unique_ptr<LinkMatrix> matrix;
+  bool along_paths = false;  ///< links share free masses with none but those beside them
 };
 
 /// The system of the given links, which must be whole and have a free end each.

@@ -5,6 +5,7 @@
 
 #include "base/vector_operations.h"
 #include "direct/link_matrices.h"
+#include "direct/link_topology.h"
 #include "direct/newton_rounds.h"
 #include "forces/free_acceleration.h"
 #include "model/limit_motion.h"
@@ -18,6 +19,12 @@ constexpr double still = 1e-14;
 // How near a stop is touched (rad).
 constexpr double touching = 1e-10;
 
+double smallest_square(const Vectors& vectors) {
+  double smallest = infinity;
+  for (std::size_t i = 0; i < vectors.size(); ++i) smallest = std::min(smallest, vectors.at(i).squaredNorm());
+  return smallest;
+}
+
 }  // namespace
 
 Equations::Equations(const Model& model, const State& state)
@@ -25,6 +32,7 @@ Equations::Equations(const Model& model, const State& state)
       whole_(state),
       system_(make_link_system(model, whole_rigid_links(model, state))),
       springs_(gather_springs(model, state)),
+      chains_(springs_.empty() ? make_chain_motion(model, system_) : nullptr),
       border_(model),
       no_compliance_(system_.links.size(), 0.0) {}
 
@@ -82,6 +90,11 @@ void Equations::free_motion(double time, const Vectors& position, const Vectors&
 bool Equations::evaluate(double time, const Vectors& position, const Vectors& velocity,
                          Vectors& acceleration) {
   const SystemLinks& links = system_.links;
+  if (freely()) {
+    PhaseSums here;
+    here.start(position, velocity, 0.0);
+    return chains_->evaluate(here, acceleration, multipliers_);
+  }
   free_motion(time, position, velocity, acceleration);
   link_vectors(links, position, direction_);
   along_links_moving(links, direction_, acceleration, velocity, multipliers_);
@@ -99,6 +112,13 @@ bool Equations::evaluate(double time, const Vectors& position, const Vectors& ve
   take(rows_, acceleration);
   pushes_ = strength_;
   return true;
+}
+
+bool Equations::evaluate(double time, const PhaseSums& at, Vectors& acceleration) {
+  if (freely()) return chains_->evaluate(at, acceleration, multipliers_);
+  write_phase(at, phase_);
+  place_pins(model_, time, phase_.position, phase_.velocity);
+  return evaluate(time, phase_.position, phase_.velocity, acceleration);
 }
 
 void Equations::write_tensions(std::vector<double>& tension) const {
@@ -151,17 +171,37 @@ bool Equations::project_positions(Vectors& position) {
   const double tolerance = 0.1 * length_tolerance(system_.links, position);
   double last = infinity;
   for (int round = 0; round < most_rounds; ++round) {
-    const double error = std::max(length_residual(position), stop_residual(position));
+    const double error = freely() ? chains_->length_error(position)
+                                  : std::max(length_residual(position), stop_residual(position));
     if (!std::isfinite(error)) return false;
     // Where rounding forbids what is asked for, what no round makes better is taken.
     if (error <= tolerance || (error <= 10.0 * tolerance && error > 0.5 * last)) return true;
     last = error;
+    if (freely()) {
+      if (!chains_->correct(position)) return false;
+      continue;
+    }
     if (!system_.matrix->factor(direction_, direction_, no_compliance_) || !solve(rows_, multipliers_))
       return false;
     factored_ = true;
     take(rows_, position);
   }
+  length_residual(position);  // which link is worst
   return false;
+}
+
+// The same of chains on which nothing else acts.
+bool Equations::project_chains(const Vectors& position, Vectors& velocity) {
+  const double most = still * largest_coordinate(velocity);
+  double last = infinity;
+  for (int round = 0; round < most_rounds; ++round) {
+    const double error = chains_->speed_along(position, velocity);
+    if (!std::isfinite(error)) return false;
+    if (error <= most || error > 0.5 * last) return true;
+    last = error;
+    if (!chains_->correct(position, velocity)) return false;
+  }
+  return true;
 }
 
 // With the matrix where positions were before their last round; what that leaves is taken by another.
@@ -190,7 +230,8 @@ bool Equations::project_velocities(const Vectors& position, Vectors& velocity) {
 
 bool Equations::project(Vectors& position, Vectors& velocity) {
   factored_ = false;
-  return project_positions(position) && project_velocities(position, velocity);
+  if (!project_positions(position)) return false;
+  return freely() ? project_chains(position, velocity) : project_velocities(position, velocity);
 }
 
 // The linear complementarity problem
@@ -290,9 +331,12 @@ bool Equations::settle(double time, const Vectors& position, double slow, Vector
 }
 
 Index redundant_link(const Model& model, const State& state) {
-  const SystemLinks links = gather(model, whole_rigid_links(model, state));
+  const std::vector<Index> rigid = whole_rigid_links(model, state);
+  const SystemLinks links = gather(model, rigid);
   Vectors direction;
   link_vectors(links, state.position, direction);
+  // In a tree with a pin at most, each link moves a mass that those before it don't.
+  if (smallest_square(direction) > 0.0 && tree_order(model, rigid)) return no_link;
   const auto place = dependent_row(links, direction, model.masses.size());
   return place ? links.link[*place] : no_link;
 }

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "direct/limit_border.h"
 #include "direct/link_system.h"
 #include "forces/springs.h"
+#include "high_order/chain_motion.h"
+#include "high_order/phase_sums.h"
 #include "model/model.h"
 #include "model/state.h"
 
@@ -28,6 +31,8 @@ class Equations {
   /// Accelerations (m/s²) of all masses for positions and velocities at a time; pins get those of their
   /// motion. False when the links' system is singular, or something is not finite.
   bool evaluate(double time, const Vectors& position, const Vectors& velocity, Vectors& acceleration);
+  /// The same for positions and velocities that are sums, but for driven pins, which are where they belong.
+  bool evaluate(double time, const PhaseSums& at, Vectors& acceleration);
 
   /// The multipliers of the last evaluation as tensions (N) in their links, one a link of the model; 0
   /// elsewhere.
@@ -51,6 +56,7 @@ class Equations {
   std::size_t rows() const { return system_.links.size(); }
 
  private:
+  bool freely() const { return chains_ && hard_.empty() && soft_.empty(); }
   bool factor(const Vectors& position);
   bool solve(const std::vector<LimitRow>& stops, std::vector<double>& multipliers);
   void take(const std::vector<LimitRow>& stops, Vectors& from);
@@ -59,6 +65,7 @@ class Equations {
   double length_residual(const Vectors& position);
   double stop_residual(const Vectors& position);
   bool project_positions(Vectors& position);
+  bool project_chains(const Vectors& position, Vectors& velocity);
   bool project_velocities(const Vectors& position, Vectors& velocity);
   void write_reach(const HeldStop& stop, double push, std::vector<double>& tension) const;
   template <class Wanted>
@@ -69,12 +76,14 @@ class Equations {
   State whole_;  // for what is broken in it
   LinkSystem system_;
   Springs springs_;
+  std::unique_ptr<ChainMotion> chains_;  // null where other equations hold
   LimitBorder border_;
   std::vector<HeldStop> hard_, soft_;
   std::vector<double> no_compliance_;
   bool factored_ = false;
   Index worst_link_ = no_link;
   // Room for an evaluation.
+  Phase phase_;
   Vectors direction_;
   std::vector<double> multipliers_, spring_tension_, pushes_, soft_pushes_, strength_;
   std::vector<LimitRow> rows_;

@@ -4,75 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "base/vector_operations.h"
-
 namespace taut {
-namespace {
-
-using dop853::Row;
-
-// How many of a row's weights count, and which.
-template <const Row& row>
-constexpr std::size_t count_of = static_cast<std::size_t>(std::ranges::count_if(row, [](double w) {
-  return w != 0.0;
-}));
-template <const Row& row>
-constexpr auto places_of = [] {
-  std::array<std::size_t, count_of<row>> places{};
-  std::size_t next = 0;
-  for (std::size_t i = 0; i < row.size(); ++i)
-    if (row[i] != 0.0) places[next++] = i;
-  return places;
-}();
-
-// The rows as objects of their own, so that they can be template arguments.
-template <std::size_t stage>
-constexpr Row stage_row = dop853::weights[stage];
-template <std::size_t place>
-constexpr Row interpolant_row = dop853::interpolant[place];
-
-using Slopes = std::array<Phase, dop853::all_stages>;
-// An axis of the positions or the velocities of all slopes.
-using Axis = std::vector<double> Vectors::*;
-
-// Σ w_j k_j of an axis, as an expression; slopes of no weight are not read.
-template <const Row& row, std::size_t... place>
-auto weighted_sum(const Slopes& slopes, Vectors Phase::*part, Axis axis, std::index_sequence<place...>) {
-  return ((row[places_of<row>[place]] * all_of(slopes[places_of<row>[place]].*part.*axis)) + ...);
-}
-template <const Row& row>
-auto weighted_sum(const Slopes& slopes, Vectors Phase::*part, Axis axis) {
-  return weighted_sum<row>(slopes, part, axis, std::make_index_sequence<count_of<row>>());
-}
-
-constexpr std::array axes{&Vectors::x, &Vectors::y, &Vectors::z};
-
-// to = from + h Σ w_j k_j
-template <const Row& row>
-void move_along(const Slopes& slopes, Vectors Phase::*part, double h, const Vectors& from, Vectors& to) {
-  to.resize(from.size());
-  for (const Axis axis : axes)
-    all_of(to.*axis) = all_of(from.*axis) + h * weighted_sum<row>(slopes, part, axis);
-}
-
-// The largest |Σ w_j k_j| of a coordinate.
-template <const Row& row>
-double largest_sum(const Slopes& slopes, Vectors Phase::*part) {
-  double largest = 0.0;
-  for (const Axis axis : axes) {
-    const double size = weighted_sum<row>(slopes, part, axis).abs().template maxCoeff<Eigen::PropagateNaN>();
-    if (!(size <= largest)) largest = size;
-  }
-  return largest;
-}
-
-using Mover = void (*)(const Slopes&, Vectors Phase::*, double, const Vectors&, Vectors&);
-constexpr auto movers = []<std::size_t... stage>(std::index_sequence<stage...>) {
-  return std::array<Mover, sizeof...(stage) + 1>{nullptr, move_along<stage_row<stage + 1>>...};
-}
-(std::make_index_sequence<dop853::all_stages - 1>());
-
-}  // namespace
 
 void RungeKuttaStep::begin(double time, double h, const Vectors& position, const Vectors& velocity,
                            const Vectors& acceleration) {
@@ -80,72 +12,84 @@ void RungeKuttaStep::begin(double time, double h, const Vectors& position, const
   h_ = h;
   start_.position = position;
   start_.velocity = velocity;
-  slopes_[0].position = velocity;
-  slopes_[0].velocity = acceleration;
+  accelerations_[0] = acceleration;
+}
+
+// h² Σ … of accelerations for positions, h Σ … for velocities.
+void RungeKuttaStep::add(const dop853::StageWeights& weights) {
+  for (std::size_t i = 0; i < weights.count; ++i)
+    sums_.sums.add(accelerations_[weights.stage[i]], h_ * h_ * weights.position[i], h_ * weights.velocity[i]);
+}
+
+const PhaseSums& RungeKuttaStep::sums_of(std::size_t stage) {
+  sums_.start(start_.position, start_.velocity, dop853::nodes[stage] * h_);
+  add(dop853::stage_sums[stage]);
+  return sums_;
 }
 
 bool RungeKuttaStep::evaluate(Equations& equations, std::size_t stage) {
-  Phase& slope = slopes_[stage];
-  movers[stage](slopes_, &Phase::position, h_, start_.position, position_);
-  // The slope of the positions is the stage's velocity.
-  movers[stage](slopes_, &Phase::velocity, h_, start_.velocity, slope.position);
-  const double time = time_ + dop853::nodes[stage] * h_;
-  place_pins(model_, time, position_, slope.position);
-  return equations.evaluate(time, position_, slope.position, slope.velocity);
+  return equations.evaluate(time_of(stage), sums_of(stage), accelerations_[stage]);
 }
 
-void RungeKuttaStep::end(Phase& end) const {
-  movers[dop853::stages](slopes_, &Phase::position, h_, start_.position, end.position);
-  movers[dop853::stages](slopes_, &Phase::velocity, h_, start_.velocity, end.velocity);
+const Vectors& RungeKuttaStep::positions(std::size_t stage) {
+  write_phase(sums_of(stage), phase_);
+  place_pins(model_, time_of(stage), phase_.position, phase_.velocity);
+  return phase_.position;
+}
+
+void RungeKuttaStep::end(Phase& end) {
+  write_phase(sums_of(dop853::stages), end);
 }
 
 // Hairer, Nørsett and Wanner's formula (10.17): of order 8 for short steps, where the estimate of order 5 is
-// the smaller one.
-double RungeKuttaStep::error(double position, double velocity) const {
-  const auto size = [&]<const Row & row>() {
-    return std::max(largest_sum<row>(slopes_, &Phase::position) / position,
-                    largest_sum<row>(slopes_, &Phase::velocity) / velocity);
+// the smaller one. That of positions has one h more in it, by way of their weights.
+double RungeKuttaStep::error(double position, double velocity) {
+  const auto size = [&](const dop853::StageWeights& weights) {
+    sums_.sums.count = 0;
+    add(weights);
+    const LargestSums largest = largest_sums(sums_.sums, start_.position.size());
+    return std::max(largest.position / position, largest.velocity / velocity);
   };
-  const double fifth = size.operator()<dop853::fifth_order_error>(),
-               third = size.operator()<dop853::third_order_error>();
+  const double fifth = size(dop853::fifth_order_error_sums), third = size(dop853::third_order_error_sums);
   const double both = fifth * fifth + 0.01 * third * third;
-  return both == 0.0 ? 0.0 : h_ * fifth * fifth / std::sqrt(both);
+  return both == 0.0 ? 0.0 : fifth * fifth / std::sqrt(both);
 }
 
 bool RungeKuttaStep::prepare_interpolant(Equations& equations, const Phase& end,
                                          const Vectors& acceleration) {
-  slopes_[dop853::stages].position = end.velocity;
-  slopes_[dop853::stages].velocity = acceleration;
+  end_ = end;
+  accelerations_[dop853::stages] = acceleration;
   for (std::size_t stage = dop853::stages + 1; stage < dop853::all_stages; ++stage)
     if (!evaluate(equations, stage)) return false;
-  for (const auto part : {&Phase::position, &Phase::velocity}) {
-    const Vectors &from = start_.*part, &to = end.*part;
-    for (Phase& coefficient : coefficients_) (coefficient.*part).resize(from.size());
-    for (const Axis axis : axes) {
-      const auto coefficient = [&](std::size_t place) { return all_of(coefficients_[place].*part.*axis); };
-      coefficient(0) = all_of(to.*axis) - all_of(from.*axis);
-      coefficient(1) = h_ * all_of(slopes_[0].*part.*axis) - coefficient(0);
-      coefficient(2) = coefficient(0) - h_ * all_of(slopes_[dop853::stages].*part.*axis) - coefficient(1);
-      coefficient(3) = h_ * weighted_sum<interpolant_row<0>>(slopes_, part, axis);
-      coefficient(4) = h_ * weighted_sum<interpolant_row<1>>(slopes_, part, axis);
-      coefficient(5) = h_ * weighted_sum<interpolant_row<2>>(slopes_, part, axis);
-      coefficient(6) = h_ * weighted_sum<interpolant_row<3>>(slopes_, part, axis);
-    }
-  }
   return true;
 }
 
-void RungeKuttaStep::between(double share, Phase& phase) const {
+// With s the share, r = 1 − s, and c_i Hairer's coefficients,
+//   y(s) = y₀ + s (c₀ + r (c₁ + s (c₂ + r (c₃ + s (c₄ + r (c₅ + s c₆)))))),
+//   c₀ = y₁ − y₀,  c₁ = h k₀ − c₀,  c₂ = c₀ − h k₁₂ − c₁,  c₃ … c₆ = h Σ d_j k_j,
+// put together of y₀, y₁ and the slopes k_j; as Σ d_j = 0, the velocity at the start is in none of the last.
+void RungeKuttaStep::between(double share, Phase& phase) {
   const double s = share, r = 1.0 - share;
-  for (const auto part : {&Phase::position, &Phase::velocity}) {
-    (phase.*part).resize((start_.*part).size());
-    for (const Axis axis : axes) {
-      const auto c = [&](std::size_t place) { return all_of(coefficients_[place].*part.*axis); };
-      all_of(phase.*part.*axis) =
-          all_of(start_.*part.*axis) +
-          s * (c(0) + r * (c(1) + s * (c(2) + r * (c(3) + s * (c(4) + r * (c(5) + s * c(6)))))));
+  const double on_end = s * (1.0 - r * (1.0 - 2.0 * s)), on_first = s * r * (1.0 - s), on_last = -s * r * s;
+  sums_.start(start_.position, start_.velocity, h_ * on_first);
+  VectorSums& sums = sums_.sums;
+  sums.add(start_.position, -on_end, 0.0);
+  sums.add(end_.position, on_end, 0.0);
+  sums.add(start_.velocity, 0.0, -on_end);
+  sums.add(end_.velocity, h_ * on_last, on_end);
+  dop853::Row in_position{}, in_velocity{};
+  double scale = s * s * r * r;
+  for (const dop853::StageWeights& weights : dop853::interpolant_sums) {
+    for (std::size_t i = 0; i < weights.count; ++i) {
+      in_position[weights.stage[i]] += scale * weights.position[i];
+      in_velocity[weights.stage[i]] += scale * weights.velocity[i];
     }
+    scale *= &weights == &dop853::interpolant_sums[1] ? r : s;
   }
+  in_velocity[0] += on_first;
+  in_velocity[dop853::stages] += on_last;
+  add(dop853::side_by_side(in_position, in_velocity));
+  write_phase(sums_, phase);
   place_pins(model_, time_ + share * h_, phase.position, phase.velocity);
 }
 

@@ -14,7 +14,10 @@ namespace {
 constexpr double longest_step = 1.0;      // s
 constexpr double shortest_step = 1e-13;   // s
 constexpr double velocity_weight = 10.0;  // 1/s: the tolerance of velocities over that of positions
-constexpr double safety = 0.9, least_factor = 1.0 / 3.0, most_factor = 6.0;
+// Of the length that the error asks for. Chains that whip make steps ever shorter: with 0.9 every fourth was
+// made in vain, and the same error took 5 to 20 % more evaluations.
+constexpr double safety = 0.8;
+constexpr double least_factor = 1.0 / 3.0, most_factor = 6.0;
 // Two stops that push each other open may be met and left ever faster. Where events of stops crowd together
 // like that, what leaves slowly is held at rest; where that does not end it, the step fails.
 constexpr double crowd = 1e-5;                         // s between two events
@@ -32,6 +35,10 @@ std::vector<double> times_of_kinks(const Model& model) {
   }
   std::ranges::sort(times);
   return times;
+}
+
+double eighth_root(double value) {
+  return std::sqrt(std::sqrt(std::sqrt(value)));
 }
 
 double largest_norm(const Vectors& vectors) {
@@ -103,8 +110,7 @@ double HighOrderStepper::first_length() const {
   const double speed = largest_norm(state_.velocity);
   const double pull = largest_norm(acceleration_) + speed * speed / length;
   if (!(pull > 0.0)) return longest_step;
-  return std::min(longest_step,
-                  std::sqrt(length / pull) * std::pow(std::min(1.0, tolerance_ / length), 0.125));
+  return std::min(longest_step, std::sqrt(length / pull) * eighth_root(std::min(1.0, tolerance_ / length)));
 }
 
 // The end of a step of h; exactly where it is to end at the latest.
@@ -117,9 +123,9 @@ HighOrderStepper::Attempt HighOrderStepper::attempt(double h, double most_error,
   Attempt tried;
   samples_.clear();
   if (!watch_.none()) samples_.push_back({0.0, past_});
-  const auto look = [&](std::size_t stage, const Vectors& position) {
+  const auto look = [&](std::size_t stage) {
     if (!watch_.none() && std::ranges::find(telling_stages, stage) != telling_stages.end())
-      samples_.push_back({dop853::nodes[stage] * h, watch_.past(position, *equations_)});
+      samples_.push_back({dop853::nodes[stage] * h, watch_.past(runge_kutta_.positions(stage), *equations_)});
   };
   ++report.rounds;
   report.link_solves += static_cast<std::int64_t>(dop853::stages * equations_->rows());
@@ -167,7 +173,7 @@ double HighOrderStepper::good_step(double h, double longest, StepReport& report)
     const Attempt made = attempt(tried, 1.0, report);
     const double factor =
         made.status == StepStatus::done
-            ? std::clamp(safety * std::pow(std::max(made.error, 1e-30), -0.125), least_factor, most_factor)
+            ? std::clamp(safety / eighth_root(std::max(made.error, 1e-30)), least_factor, most_factor)
             : least_factor;
     if (made.good) {
       const double next = std::min(longest_step, tried * (shortened ? std::min(1.0, factor) : factor));

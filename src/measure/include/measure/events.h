@@ -27,6 +27,9 @@ struct Event {
 /// Nothing where they never do. Throws Interrupted.
 std::optional<Event> first_event(const Model& model, const State& start, double horizon,
                                  const StopTest& stop = {});
+/// The same where without_unlocated_events() is at hand.
+std::optional<Event> first_event(const Model& model, const Model& calm, const State& start, double horizon,
+                                 const StopTest& stop);
 
 /// How long a motion is looked at that such an event ends (s): a little less, because the time at which
 /// something breaks or is touched depends on method and step.

@@ -1,0 +1,76 @@
+// Sums over vectors of many masses, for one set of vector instructions: included once for each. Each mass has
+// a lane of its own and its sums one order, so that the width of vectors changes no bit.
+
+#if defined(TAUT_HIGH_ORDER_SUMS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef TAUT_HIGH_ORDER_SUMS_INL_H
+#undef TAUT_HIGH_ORDER_SUMS_INL_H
+#else
+#define TAUT_HIGH_ORDER_SUMS_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include <cstddef>
+
+#include "high_order/phase_sums.h"
+
+// A lambda that is part of the loop it stands in.
+#undef TAUT_INLINED
+#define TAUT_INLINED HWY_ATTR __attribute__((always_inline))
+
+HWY_BEFORE_NAMESPACE();
+namespace taut::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Widest = hn::ScalableTag<double>;
+
+// Calls visit(tag, i) for groups of as many as a vector has lanes, from i on. The last group overlaps the one
+// before, or where there are fewer in all, vectors are narrower: what is visited must not read what it
+// writes.
+template <class D, class Visit>
+HWY_INLINE void for_groups(D tag, std::size_t begin, std::size_t end, const Visit& visit) {
+  const std::size_t lanes = hn::Lanes(tag);
+  if (end - begin >= lanes) {
+    std::size_t i = begin;
+    for (; i + lanes <= end; i += lanes) visit(tag, i);
+    if (i < end) visit(tag, end - lanes);
+  } else if constexpr (hn::MaxLanes(D()) > 1) {
+    for_groups(hn::Half<D>(), begin, end, visit);
+  }
+}
+
+// Calls use(tag, i, position, velocity) with sums of a coordinate. One coordinate after the other is what
+// memory likes: a dozen streams at once, not forty.
+template <class Use>
+HWY_INLINE void for_sums(const VectorSums& sums, std::size_t axis, std::size_t begin, std::size_t end,
+                         const Use& use) {
+  for_groups(Widest(), begin, end, [&](auto tag, std::size_t i) TAUT_INLINED {
+    auto position = hn::Zero(tag), velocity = hn::Zero(tag);
+    for (std::size_t j = 0; j < sums.count; ++j) {
+      const VectorSums::Term& term = sums.terms[j];
+      const auto value = hn::LoadU(tag, term.axes[axis] + i);
+      position = hn::Add(position, hn::Mul(hn::Set(tag, term.in_position), value));
+      velocity = hn::Add(velocity, hn::Mul(hn::Set(tag, term.in_velocity), value));
+    }
+    use(tag, i, position, velocity);
+  });
+}
+
+// The same with a coordinate of masses.
+template <class Use>
+HWY_INLINE void for_phases(const PhaseSums& at, std::size_t axis, std::size_t begin, std::size_t end,
+                           const Use& use) {
+  for_sums(at.sums, axis, begin, end,
+           [&](auto tag, std::size_t i, auto position, auto velocity) TAUT_INLINED {
+             const auto before = hn::LoadU(tag, at.velocity[axis] + i);
+             // What is small is summed first.
+             const auto moved = hn::Add(hn::Mul(hn::Set(tag, at.drift), before), position);
+             use(tag, i, hn::Add(hn::LoadU(tag, at.position[axis] + i), moved), hn::Add(before, velocity));
+           });
+}
+
+}  // namespace taut::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
