@@ -8,6 +8,8 @@ if(TAUT_SANITIZE)
   target_compile_definitions(taut_methods PRIVATE HWY_COMPILE_ONLY_SCALAR)
 endif()
 
-# It includes itself, once for every set of vector instructions.
+# They include themselves, once for every set of vector instructions.
 set_source_files_properties(${CMAKE_CURRENT_SOURCE_DIR}/methods/relax/kernels.cpp
+                            ${CMAKE_CURRENT_SOURCE_DIR}/methods/direct/link_kernels.cpp
+                            ${CMAKE_CURRENT_SOURCE_DIR}/methods/forces/mass_kernels.cpp
                             PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
