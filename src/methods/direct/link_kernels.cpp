@@ -26,12 +26,12 @@ HWY_INLINE Three<hn::Vec<D>> across(D tag, const EndsToRead& ends, std::size_t i
 
 // What several links, or one, have been found to be.
 template <class D>
-struct Found {
+struct FoundLinks {
   using V = hn::Vec<D>;
   V worst, unsound;  // unsound: 0, or no number
   hn::Mask<D> directed;
 
-  HWY_INLINE explicit Found(D tag)
+  HWY_INLINE explicit FoundLinks(D tag)
       : worst(hn::Zero(tag)), unsound(hn::Zero(tag)), directed(hn::Eq(worst, worst)) {}
 
   HWY_INLINE void look(D tag, V misfit, V direction) {
@@ -58,8 +58,8 @@ template <class Measure>
 HWY_INLINE Misfit find_each(std::size_t count, const Measure& measure) {
   const hn::ScalableTag<double> many;
   const hn::CappedTag<double, 1> one;
-  Found<decltype(many)> found_many(many);
-  Found<decltype(one)> found_one(one);
+  FoundLinks<decltype(many)> found_many(many);
+  FoundLinks<decltype(one)> found_one(one);
   std::size_t i = 0;
   for (; i + hn::Lanes(many) <= count; i += hn::Lanes(many)) measure(many, found_many, i);
   for (; i < count; ++i) measure(one, found_one, i);
