@@ -9,7 +9,9 @@ if(TAUT_SANITIZE)
 endif()
 
 # They include themselves, once for every set of vector instructions.
-set_source_files_properties(${CMAKE_CURRENT_SOURCE_DIR}/methods/high_order/chain_motion.cpp
+set_source_files_properties(${CMAKE_CURRENT_SOURCE_DIR}/methods/direct/link_kernels.cpp
+                            ${CMAKE_CURRENT_SOURCE_DIR}/methods/forces/mass_kernels.cpp
+                            ${CMAKE_CURRENT_SOURCE_DIR}/methods/high_order/chain_motion.cpp
                             ${CMAKE_CURRENT_SOURCE_DIR}/methods/high_order/phase_sums.cpp
                             ${CMAKE_CURRENT_SOURCE_DIR}/methods/relax/kernels.cpp
                             PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)

@@ -71,12 +71,10 @@ class RattleStepper final : public SwappingStepper {
     const std::vector<Index> rigid = whole_rigid_links(model_, state);
     system_ = make_link_system(model_, rigid);
     no_compliance_.assign(rigid.size(), 0.0);
-    along_.resize(rigid.size());
-    squared_length_.clear();
-    inverse_square_.clear();
+    lengths_ = {};
     for (const double length : system_.links.length) {
-      squared_length_.push_back(length * length);
-      inverse_square_.push_back(1.0 / squared_length_.back());
+      lengths_.square.push_back(length * length);
+      lengths_.inverse_square.push_back(1.0 / lengths_.square.back());
     }
     factored_along_.resize(0);
     kicks_.links_changed(state);
@@ -123,18 +121,28 @@ class RattleStepper final : public SwappingStepper {
                 const Vectors& velocity, StepReport& report) {
     const double half = 0.5 * h;
     link_vectors(system_.links, position, start_direction_);
-    kicks_.start(start, time, half, position, velocity, velocity, half_velocity_);
-    joints_.act(start, h, 0.5, half_velocity_);
-    drift(h, position, half_velocity_, position_);
-    place_pins(model_, end_time, position_, half_velocity_);
+    const bool only_fields = kicks_.only_fields() && model_.joints.empty();
+    if (only_fields) {
+      kick_and_drift(model_, time, half, h, position, velocity, velocity_, position_, DragAt::start);
+    } else {
+      kicks_.start(start, time, half, position, velocity, velocity, half_velocity_);
+      joints_.act(start, h, 0.5, half_velocity_);
+      drift(h, position, half_velocity_, position_);
+    }
+    place_pins(model_, end_time, position_, only_fields ? velocity_ : half_velocity_);
     report.link_solves += kicks_.solves();
     limits_.begin_half_kicks(h, position, position_);
     if (!tension_of_velocities_) guess(start.tension, h);
     if (!solve_positions(position, report)) return;
 
-    difference_quotient(h, position, position_, velocity_);
     place_pins(model_, end_time, position_, velocity_);
-    kicks_.end(start, end_time, half, position_, half_velocity_, velocity_, tension_);
+    if (only_fields) {
+      mean_velocity_and_kick(model_, end_time, half, h, position, position_, velocity_);
+    } else {
+      difference_quotient(h, position, position_, velocity_);
+      place_pins(model_, end_time, position_, velocity_);
+      kicks_.end(start, end_time, half, position_, half_velocity_, velocity_, tension_);
+    }
     limits_.kick(position_, 1.0 / (1.0 + half * model_.drag), velocity_);
     joints_.finish(0.5, position_, velocity_);
     solve_velocities(half, report);
@@ -145,7 +153,7 @@ class RattleStepper final : public SwappingStepper {
     const SystemLinks& links = system_.links;
     residual_.resize(links.size());
     for (std::size_t i = 0; i < links.size(); ++i)
-      residual_[i] = tension[links.link[i]] * inverse_square_[i] * links.length[i];
+      residual_[i] = tension[links.link[i]] * lengths_.inverse_square[i] * links.length[i];
     apply_impulses(links, start_direction_, residual_, position_, -0.5 * h * h);
   }
 
@@ -155,7 +163,6 @@ class RattleStepper final : public SwappingStepper {
     mixing_.begin();
     double best = infinity, best_before = infinity;  // of these rounds, and of those before
     for (int round = 0; round < most_rounds; ++round) {
-      link_vectors(links, position_, direction_);
       const double worst = measure_residual(report);
       if (report.status != StepStatus::done) return false;
       const double beyond = limits_.look(position_, &start);
@@ -173,7 +180,6 @@ class RattleStepper final : public SwappingStepper {
       report.link_solves += static_cast<std::int64_t>(links.size());
       apply_impulses(links, start_direction_, residual_, position_, -1.0);
     }
-    link_vectors(links, position_, direction_);
     measure_residual(report);
     if (report.status != StepStatus::done) return false;
     report.status = StepStatus::not_converged;
@@ -181,40 +187,29 @@ class RattleStepper final : public SwappingStepper {
     return false;
   }
 
-  // |g|/l² of every link.
-  auto length_errors() const { return (all_of(residual_) * all_of(inverse_square_)).abs(); }
-
-  // g of every link; returns the largest |g|/l². Reports a link that has lost its direction, or a number that
-  // is no longer finite.
+  // d and g of every link; returns the largest |g|/l². Reports a link that has lost its direction, or a
+  // number that is no longer finite.
   double measure_residual(StepReport& report) {
-    const SystemLinks& links = system_.links;
-    residual_.resize(links.size());
-    if (links.size() == 0) return 0.0;
-    const auto x = all_of(direction_.x), y = all_of(direction_.y), z = all_of(direction_.z);
-    all_of(residual_) = 0.5 * (x * x + y * y + z * z - all_of(squared_length_));
-    all_of(along_) =
-        (x * all_of(start_direction_.x) + y * all_of(start_direction_.y) + z * all_of(start_direction_.z)) *
-        all_of(inverse_square_);
-    const double worst = length_errors().maxCoeff<Eigen::PropagateNaN>();
-    const double lost = all_of(along_).minCoeff<Eigen::PropagateNaN>();
-    if (!std::isfinite(worst)) {
-      report.status = StepStatus::not_finite;
-    } else if (!(lost > 0.0)) {
-      report.status = StepStatus::direction_lost;
-    } else {
-      return worst;
-    }
+    const Misfit misfit =
+        measure_lengths(system_.links, position_, start_direction_, lengths_, direction_, residual_);
+    if (misfit.finite && misfit.directed) return misfit.worst;
+    report.status = misfit.finite ? StepStatus::direction_lost : StepStatus::not_finite;
     report.worst_link = worst_link(report.status);
-    return worst;
+    return misfit.worst;
   }
 
   // The link with the least share of its direction left, or the largest error; one that is not finite.
   Index worst_link(StepStatus what) const {
     Eigen::Index place = 0;
+    const auto inverse_square = all_of(lengths_.inverse_square);
+    const auto along = [&](const auto& d, const auto& start) { return all_of(d) * all_of(start); };
     if (what == StepStatus::direction_lost)
-      all_of(along_).minCoeff<Eigen::PropagateNaN>(&place);
+      ((along(direction_.x, start_direction_.x) + along(direction_.y, start_direction_.y) +
+        along(direction_.z, start_direction_.z)) *
+       inverse_square)
+          .minCoeff<Eigen::PropagateNaN>(&place);
     else
-      length_errors().maxCoeff<Eigen::PropagateNaN>(&place);
+      (all_of(residual_) * inverse_square).abs().maxCoeff<Eigen::PropagateNaN>(&place);
     return system_.links.link[static_cast<std::size_t>(place)];
   }
 
@@ -266,8 +261,11 @@ class RattleStepper final : public SwappingStepper {
   // With the matrix of the velocities, which the system still holds.
   void solve_tensions(const State& whole, double time, StepReport& report) {
     const SystemLinks& links = system_.links;
-    kicks_.accelerations(whole, time, position_, velocity_, acceleration_, tension_);
-    along_links_moving(links, direction_, acceleration_, velocity_, residual_);
+    const bool only_falling = kicks_.only_fields() && model_.loads.empty() && model_.driven_pins.empty();
+    if (!only_falling || !along_links_falling(model_, links, direction_, velocity_, residual_)) {
+      kicks_.accelerations(whole, time, position_, velocity_, acceleration_, tension_);
+      along_links_moving(links, direction_, acceleration_, velocity_, residual_);
+    }
     system_.matrix->solve(residual_);
     report.link_solves += static_cast<std::int64_t>(links.size());
     for (std::size_t i = 0; i < links.size(); ++i) tension_[links.link[i]] = residual_[i] * links.length[i];
@@ -286,8 +284,8 @@ class RattleStepper final : public SwappingStepper {
   Vectors half_velocity_, acceleration_;
   Vectors part_position_, part_velocity_;  // where a part of a step of order 4 begins
   Vectors start_direction_, direction_;
-  std::vector<double> residual_, along_;  // g (m²), and d·d₀/l²
-  std::vector<double> squared_length_, inverse_square_;
+  std::vector<double> residual_;  // g, m²
+  SquaredLengths lengths_;
 };
 
 constexpr std::array<std::string_view, 2> orders{"2", "4"};

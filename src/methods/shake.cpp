@@ -20,6 +20,7 @@
 // = h² a, to second order. Its end has 2 Tₙ − T_{n−1}; and where there is no T_{n−1}, or the step is not as
 // long as the last one, the Σ q of another step from there, which is not made.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -34,6 +35,8 @@
 #include "parameters.h"
 #include "relax/along_relaxation.h"
 #include "relax/limit_solver.h"
+#include "relax/packed_shake.h"
+#include "relax/packed_stepper.h"
 #include "relax/pass_control.h"
 
 namespace taut {
@@ -130,7 +133,7 @@ class ShakeStepper final : public SwappingStepper {
     relaxation_.load(position_, packed_);
     const bool judged = tolerance_ > 0.0;
     for (int made = 0; passes_.another(made, limits_.pushed(), start, position_, h); ++made) {
-      const AlongStart found = relaxation_.pass_along(packed_start_, packed_, made == 0, judged);
+      const AlongStart found = relaxation_.pass_along(packed_start_, packed_, {made == 0, false}, judged);
       if (found.lost()) {
         report.status = std::isfinite(found.lost_along) ? StepStatus::direction_lost : StepStatus::not_finite;
         report.worst_link = found.lost_link;
@@ -177,8 +180,13 @@ constexpr std::array shake_params{
 
 std::unique_ptr<Stepper> make_shake(const Model& model, const Settings& settings,
                                     const Execution& execution) {
-  return std::make_unique<ShakeStepper>(model, pass_counts(settings), settings.number("tolerance"),
-                                        execution);
+  const PassCounts passes = pass_counts(settings);
+  const double tolerance = settings.number("tolerance");
+  const std::vector<Index> links = solvable_links(model);
+  if (only_links(model) && tolerance == 0.0 &&
+      std::ranges::all_of(links, [&](Index link) { return model.links.rigid(link); }))
+    return make_packed_shake(model, passes.ordinary, execution);
+  return std::make_unique<ShakeStepper>(model, passes, tolerance, execution);
 }
 
 std::string shake_refusal(const Model& model, const State& start, const Settings& settings) {

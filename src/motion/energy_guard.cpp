@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "model/measures.h"
 
@@ -40,13 +41,15 @@ double EnergyGuard::energy_of(const State& state) const {
   return sum;
 }
 
-bool EnergyGuard::exceeded(const State& state, double h, const Work& work) {
+bool EnergyGuard::exceeded(Stepper& stepper, double h, const Work& work) {
   const double scale = scale_ + mass_ * work.fastest_pin * work.fastest_pin + work.throughput;
   double most = allowed * scale;
-  if (model_->wind) most = scale + mass_ * wind_at(*model_->wind, state.time).squaredNorm();
-  const double gain = energy_of(state) - energy_at_start_ - work.expected_gain();
+  if (model_->wind) most = scale + mass_ * wind_at(*model_->wind, stepper.glimpse().time).squaredNorm();
+  const std::optional<double> known = stepper.energy();
+  const double energy = known ? *known : energy_of(stepper.store());
+  const double gain = energy - energy_at_start_ - work.expected_gain();
   // Written so that what is not a number exceeds; the swing costs more and is asked for last.
-  return !(gain <= most) && !(gain <= most + swing(state, h));
+  return !(gain <= most) && !(gain <= most + swing(stepper.store(), h));
 }
 
 // (h²/8) Σ w |F|²

@@ -30,8 +30,8 @@ class EnergyGuard {
   /// From now on masses are free that were pins; the work tells of the energy they bring.
   void go_on_with(const Model& model);
 
-  /// Whether a state, reached by a step of h seconds, has energy from nothing, after so much work.
-  bool exceeded(const State& state, double h, const Work& work);
+  /// Whether the state that a step of h seconds has come to has energy from nothing, after so much work.
+  bool exceeded(Stepper& stepper, double h, const Work& work);
 
  private:
   double energy_of(const State& state) const;

@@ -188,7 +188,8 @@ bool Run::own_step() {
 StepReport Run::guarded_step(double h, double end_time, int halvings) {
   StepReport report = stepper_->step(h, end_time);
   if (report.status == StepStatus::done && guard_ &&
-      guard_->exceeded(state(), h, ledger_.keeps_anything() ? ledger_.until(state()) : ledger_.work())) {
+      guard_->exceeded(*stepper_, h,
+                       ledger_.keeps_anything() ? ledger_.until(stepper_->glimpse()) : ledger_.work())) {
     stepper_->undo();
     report.status = StepStatus::energy_jump;
   }

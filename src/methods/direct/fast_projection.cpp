@@ -50,28 +50,30 @@ bool FastProjection::solve(const Vectors& start, double h, Vectors& position, st
     const double worst = measure_residual(position, h, report);
     if (report.status != StepStatus::done) return false;
     const double beyond = limits_.look(position);
-    if (worst <= tolerance && beyond <= limit_tolerance) {
+    const bool solved = worst <= tolerance && beyond <= limit_tolerance;
+    const bool lost = round >= rounds_to_settle && worst > settled_error;
+    if (solved || lost || round + 1 == most_newton_rounds) report.worst_link = worst_link(worst);
+    if (solved) {
       for (std::size_t i = 0; i < multipliers_.size(); ++i)
         tension[links.link[i]] = multipliers_[i] / (h * h);
       limits_.give_tensions(1.0 / (h * h), position, tension);
       return true;
     }
-    if (round >= rounds_to_settle && worst > settled_error) break;
+    if (lost) break;
     ++report.factorisations;
-    if (!system_.matrix->factor(direction_, direction_, diagonal_)) {
+    if (compliant_ || answer != 1.0)
+      for (std::size_t i = 0; i < residual_.size(); ++i) residual_[i] *= scale_[i];
+    if (!(limits_.none() ? system_.matrix->factor_and_solve(direction_, direction_, diagonal_, residual_)
+                         : system_.matrix->factor(direction_, direction_, diagonal_))) {
+      report.worst_link = worst_link(measure_residual(position, h, report));
       report.status = StepStatus::factorisation_failed;
       return false;
     }
-    for (std::size_t i = 0; i < residual_.size(); ++i) residual_[i] *= scale_[i];
-    if (limits_.none())
-      system_.matrix->solve(residual_);
-    else
-      limits_.push(system_, direction_, direction_, answer, residual_, position);
-    for (std::size_t i = 0; i < residual_.size(); ++i) {
-      multipliers_[i] += residual_[i];
-      residual_[i] *= -answer;
-    }
-    apply_impulses(links, direction_, residual_, position);
+    if (!limits_.none()) limits_.push(system_, direction_, direction_, answer, residual_, position);
+    for (std::size_t i = 0; i < residual_.size(); ++i) multipliers_[i] += residual_[i];
+    if (answer != 1.0)
+      for (double& change : residual_) change *= answer;
+    apply_impulses(links, direction_, residual_, position, -1.0);
     report.rounds += 1;
     report.link_solves += static_cast<std::int64_t>(links.size());
   }
@@ -98,49 +100,41 @@ void FastProjection::prepare(const Vectors& start, double h, double answer) {
 // r of every link and its unit direction; returns the largest |r|/l.
 double FastProjection::measure_residual(const Vectors& position, double h, StepReport& report) {
   const SystemLinks& links = system_.links;
-  link_vectors(links, position, direction_);
-  all_of(distance_) =
-      (all_of(direction_.x).square() + all_of(direction_.y).square() + all_of(direction_.z).square()).sqrt();
-  all_of(residual_) = all_of(distance_) - all_of(links.length);
-  if (compliant_) add_compliance(h);
-  scale_directions();
-
-  double worst = 0.0;
-  std::size_t worst_link = 0;
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    const double size = std::abs(residual_[i]) * inverse_length_[i];
-    if (!(size <= worst)) {
-      worst = size;
-      worst_link = i;
-    }
-    if (distance_[i] == 0.0) {
-      report.status = StepStatus::direction_lost;
-      report.worst_link = links.link[i];
-      return worst;
-    }
+  Misfit misfit = measure_stretches(links, position, inverse_length_, direction_, distance_, residual_);
+  if (!misfit.directed && misfit.finite) {
+    const auto lost = std::find(distance_.begin(), distance_.end(), 0.0) - distance_.begin();
+    report.status = StepStatus::direction_lost;
+    report.worst_link = links.link[static_cast<std::size_t>(lost)];
+    return misfit.worst;
   }
-  if (links.size() > 0) report.worst_link = links.link[worst_link];
-  if (!std::isfinite(worst)) report.status = StepStatus::not_finite;
-  return worst;
+  if (compliant_) {
+    add_compliance(position, h);
+    const auto strains = all_of(residual_).abs() * all_of(inverse_length_);
+    misfit.worst = strains.maxCoeff<Eigen::PropagateNaN>();
+    misfit.finite = std::isfinite(misfit.worst);
+  }
+  if (!misfit.finite) {
+    report.status = StepStatus::not_finite;
+    report.worst_link = worst_link(infinity);
+  }
+  return misfit.worst;
+}
+
+// The first link whose |r|/l is so large, or not a number.
+Index FastProjection::worst_link(double size) const {
+  for (std::size_t i = 0; i < residual_.size(); ++i)
+    if (!(std::abs(residual_[i]) * inverse_length_[i] < size)) return system_.links.link[i];
+  return no_link;
 }
 
 // The part of r that a link without compliance does not have.
-void FastProjection::add_compliance(double h) {
+void FastProjection::add_compliance(const Vectors& position, double h) {
   const SystemLinks& links = system_.links;
   for (std::size_t i = 0; i < links.size(); ++i) {
     if (links.compliance[i] == 0.0) continue;
-    const Vec3 moved = direction_.at(i) - start_vector_.at(i);
-    const double rate = direction_.at(i).dot(moved) / (distance_[i] * h);
+    const Vec3 vector = position.at(links.a[i]) - position.at(links.b[i]);
+    const double rate = vector.dot(vector - start_vector_.at(i)) / (distance_[i] * h);
     residual_[i] += links.compliance[i] * (links.damping[i] * rate - multipliers_[i] / (h * h));
-  }
-}
-
-void FastProjection::scale_directions() {
-  for (std::size_t i = 0; i < distance_.size(); ++i) {
-    const double inverse = 1.0 / distance_[i];
-    direction_.x[i] *= inverse;
-    direction_.y[i] *= inverse;
-    direction_.z[i] *= inverse;
   }
 }
 

@@ -24,8 +24,8 @@ class FastProjection {
  private:
   void prepare(const Vectors& start, double h, double answer);
   double measure_residual(const Vectors& position, double h, StepReport& report);
-  void add_compliance(double h);
-  void scale_directions();
+  Index worst_link(double size) const;
+  void add_compliance(const Vectors& position, double h);
 
   const Model& model_;
   LinkSystem system_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/vector_operations.h"
+#include "direct/link_kernels.h"
 #include "direct/link_matrices.h"
 
 namespace taut {
@@ -29,10 +30,24 @@ auto across(const LinkRow& row, const std::vector<double>& axis) {
   return segment(axis, row.a, row.count) - segment(axis, row.b, row.count);
 }
 
-auto along(const LinkRow& row, const Vectors& columns, const Vectors& u) {
-  return segment(columns.x, row.begin, row.count) * across(row, u.x) +
-         segment(columns.y, row.begin, row.count) * across(row, u.y) +
-         segment(columns.z, row.begin, row.count) * across(row, u.z);
+EndsToRead ends(const LinkRow& row, const Vectors& vectors) {
+  return {row.count, to_read(vectors, row.a), to_read(vectors, row.b)};
+}
+
+// What measure(ends, begin) finds, row after row; of all links at once, whose vectors it then gets, where
+// there are no rows.
+template <class Measure>
+Misfit measure_rows(const SystemLinks& links, const Vectors& position, Vectors& direction,
+                    const Measure& measure) {
+  Misfit found;
+  if (links.size() == 0) return found;
+  direction.resize(links.size());
+  if (links.rows.empty()) {
+    link_vectors(links, position, direction);
+    return measure(EndsToRead{links.size(), to_read(direction), {}}, 0);
+  }
+  for (const LinkRow& row : links.rows) found.add(measure(ends(row, position), row.begin));
+  return found;
 }
 
 }  // namespace
@@ -78,11 +93,32 @@ void link_vectors(const SystemLinks& links, const Vectors& position, Vectors& di
   }
 }
 
+Misfit measure_lengths(const SystemLinks& links, const Vectors& position, const Vectors& start_direction,
+                       const SquaredLengths& lengths, Vectors& direction, std::vector<double>& misfit) {
+  misfit.resize(links.size());
+  return measure_rows(links, position, direction, [&](const EndsToRead& ends, std::size_t begin) {
+    return measure_lengths(ends, to_read(start_direction, begin), &lengths.square[begin],
+                           &lengths.inverse_square[begin], to_write(direction, begin), &misfit[begin]);
+  });
+}
+
+Misfit measure_stretches(const SystemLinks& links, const Vectors& position,
+                         const std::vector<double>& inverse_length, Vectors& direction,
+                         std::vector<double>& distance, std::vector<double>& stretch) {
+  distance.resize(links.size());
+  stretch.resize(links.size());
+  return measure_rows(links, position, direction, [&](const EndsToRead& ends, std::size_t begin) {
+    return measure_stretches(ends, {&links.length[begin], &inverse_length[begin], to_write(direction, begin),
+                                    &distance[begin], &stretch[begin]});
+  });
+}
+
 void along_links(const SystemLinks& links, const Vectors& columns, const Vectors& u,
                  std::vector<double>& result) {
   result.resize(links.size());
   if (!links.rows.empty()) {
-    for (const LinkRow& row : links.rows) segment(result, row.begin, row.count) = along(row, columns, u);
+    for (const LinkRow& row : links.rows)
+      measure_along(ends(row, u), to_read(columns, row.begin), &result[row.begin]);
     return;
   }
   for (std::size_t i = 0; i < links.size(); ++i)
@@ -94,9 +130,7 @@ void along_links_moving(const SystemLinks& links, const Vectors& columns, const 
   result.resize(links.size());
   if (!links.rows.empty()) {
     for (const LinkRow& row : links.rows)
-      segment(result, row.begin, row.count) =
-          along(row, columns, u) +
-          (across(row, v.x).square() + across(row, v.y).square() + across(row, v.z).square());
+      measure_along_moving(ends(row, u), ends(row, v), to_read(columns, row.begin), &result[row.begin]);
     return;
   }
   for (std::size_t i = 0; i < links.size(); ++i) {
@@ -105,10 +139,26 @@ void along_links_moving(const SystemLinks& links, const Vectors& columns, const 
   }
 }
 
+bool along_links_falling(const Model& model, const SystemLinks& links, const Vectors& columns,
+                         const Vectors& v, std::vector<double>& result) {
+  if (links.rows.empty()) return false;
+  result.resize(links.size());
+  for (const LinkRow& row : links.rows)
+    measure_along_falling({model.gravity, model.drag, &links.weight_a[row.begin], &links.weight_b[row.begin]},
+                          ends(row, v), to_read(columns, row.begin), &result[row.begin]);
+  return true;
+}
+
 void apply_impulses(const SystemLinks& links, const Vectors& columns, std::span<const double> strength,
                     Vectors& target, double factor) {
   if (!links.rows.empty()) {
     for (const LinkRow& row : links.rows) {
+      if (row.b == row.a + 1) {
+        push_row({row.count, &links.weight_a[row.begin], &links.weight_b[row.begin],
+                  to_read(columns, row.begin), &strength[row.begin], factor},
+                 to_write(target, row.a));
+        continue;
+      }
       const Eigen::Map<const Eigen::ArrayXd> pull(&strength[row.begin], static_cast<Eigen::Index>(row.count));
       const auto push_axis = [&](const std::vector<double>& column, std::vector<double>& axis) {
         const auto along = segment(column, row.begin, row.count);

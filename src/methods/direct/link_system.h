@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "direct/link_kernels.h"
 #include "model/model.h"
 #include "model/state.h"
 
@@ -38,6 +39,20 @@ SystemLinks gather(const Model& model, std::span<const Index> links);
 /// d = x_a − x_b of every link.
 void link_vectors(const SystemLinks& links, const Vectors& position, Vectors& difference);
 
+/// l² and 1/l² of every link.
+struct SquaredLengths {
+  std::vector<double> square, inverse_square;  // m², 1/m²
+};
+
+/// d and g = (|d|² − l²)/2 of every link, and what there is to say of all (link_kernels.h).
+Misfit measure_lengths(const SystemLinks& links, const Vectors& position, const Vectors& start_direction,
+                       const SquaredLengths& lengths, Vectors& direction, std::vector<double>& misfit);
+
+/// d/|d|, |d| and |d| − l of every link, and what there is to say of all.
+Misfit measure_stretches(const SystemLinks& links, const Vectors& position,
+                         const std::vector<double>& inverse_length, Vectors& direction,
+                         std::vector<double>& distance, std::vector<double>& stretch);
+
 /// c·(u_a − u_b) of every link: C u.
 void along_links(const SystemLinks& links, const Vectors& columns, const Vectors& u,
                  std::vector<double>& result);
@@ -45,6 +60,10 @@ void along_links(const SystemLinks& links, const Vectors& columns, const Vectors
 /// c·(u_a − u_b) + |v_a − v_b|² of every link: C u, and what moving directions add to it.
 void along_links_moving(const SystemLinks& links, const Vectors& columns, const Vectors& u, const Vectors& v,
                         std::vector<double>& result);
+
+/// The same, and true, where the masses fall with gravity and drag alone; false where the links have no rows.
+bool along_links_falling(const Model& model, const SystemLinks& links, const Vectors& columns,
+                         const Vectors& v, std::vector<double>& result);
 
 /// x_a += f w_a s_i c_i and x_b −= f w_b s_i c_i for every link i: adds f W Cᵀ s.
 void apply_impulses(const SystemLinks& links, const Vectors& columns, std::span<const double> strength,

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "base/vector_operations.h"
+#include "direct/link_kernels.h"
 #include "direct/link_matrices.h"
 
 namespace taut {
@@ -63,21 +63,12 @@ class PathMatrix final : public LinkMatrix {
   // The three diagonals; returns the lower one, which is the upper one where rows and columns are the same.
   const std::vector<double>& fill(const Vectors& rows, const Vectors& columns,
                                   std::span<const double> diagonal) {
-    const std::size_t count = weight_.size();
-    if (count == 0) return above_;
-    const auto products = [&](const Vectors& r, std::size_t i, const Vectors& c, std::size_t j,
-                              std::size_t size) {
-      return segment(r.x, i, size) * segment(c.x, j, size) + segment(r.y, i, size) * segment(c.y, j, size) +
-             segment(r.z, i, size) * segment(c.z, j, size);
-    };
-    all_of(entry_) = all_of(weight_) * products(rows, 0, columns, 0, count) +
-                     Eigen::Map<const Eigen::ArrayXd>(diagonal.data(), std::ssize(diagonal));
-    const std::size_t pairs = count - 1;
-    const auto coupling = segment(coupling_, 0, pairs);
-    segment(above_, 0, pairs) = coupling * products(rows, 0, columns, 1, pairs);
-    if (&rows == &columns) return above_;
-    segment(below_, 0, pairs) = coupling * products(rows, 1, columns, 0, pairs);
-    return below_;
+    const bool symmetric = &rows == &columns;
+    if (!weight_.empty())
+      fill_path(to_read(rows), to_read(columns),
+                {weight_.size(), weight_.data(), coupling_.data(), diagonal.data(), entry_.data(),
+                 above_.data(), symmetric ? nullptr : below_.data()});
+    return symmetric ? above_ : below_;
   }
 
   // What reduce(i, carried) gives for a right side's entry, less what was carried to it, is carried on; what

@@ -4,15 +4,31 @@
 #include <cmath>
 
 #include "base/vector_operations.h"
+#include "forces/mass_kernels.h"
 
 namespace taut {
 namespace {
 
-// v' = v·keep + gain in the free masses.
-void kick_axis(const std::vector<double>& inverse_mass, double gain, double keep,
-               const std::vector<double>& velocity, std::vector<double>& kicked) {
-  const auto free = free_masses(inverse_mass);
-  all_of(kicked) = all_of(velocity) * (keep * free + (1.0 - free)) + gain * free;
+// What gravity and drag do in so many seconds, and how much of a load's impulse is left of drag.
+struct FieldKick {
+  MassKick kick;
+  double answer;
+};
+
+FieldKick field_kick(const Model& model, double h, DragAt drag_at) {
+  const double answer = drag_at == DragAt::end ? 1.0 / (1.0 + h * model.drag) : 1.0;
+  const double keep = drag_at == DragAt::end ? answer : 1.0 - h * model.drag;
+  return {{model.masses.inverse_mass.data(), keep, model.gravity * (h * answer)}, answer};
+}
+
+// Visits the masses of loads with what a load adds to their velocity in a kick of h seconds.
+template <class Visit>
+void visit_loads(const Model& model, double time, double h, double answer, const Visit& visit) {
+  for (const Load& load : model.loads) {
+    const Vec3 impulse = load.force * (load.share(time) * h * answer);
+    if (impulse.isZero(0.0)) continue;
+    for (const Index mass : load.masses) visit(mass, impulse * model.masses.inverse_mass[mass]);
+  }
 }
 
 // The wind's push on a triangle.
@@ -50,18 +66,30 @@ void visit_pushes(const Model& model, const State& state, const Vectors& positio
 
 void kick(const Model& model, double load_time, double h, const Vectors& velocity, Vectors& kicked,
           DragAt drag_at) {
-  const std::vector<double>& inverse_mass = model.masses.inverse_mass;
-  const double answer = drag_at == DragAt::end ? 1.0 / (1.0 + h * model.drag) : 1.0;
-  const double keep = drag_at == DragAt::end ? answer : 1.0 - h * model.drag;
-  const Vec3 gain = model.gravity * (h * answer);
-  kick_axis(inverse_mass, gain.x(), keep, velocity.x, kicked.x);
-  kick_axis(inverse_mass, gain.y(), keep, velocity.y, kicked.y);
-  kick_axis(inverse_mass, gain.z(), keep, velocity.z, kicked.z);
-  for (const Load& load : model.loads) {
-    const Vec3 impulse = load.force * (load.share(load_time) * h * answer);
-    if (impulse.isZero(0.0)) continue;
-    for (const Index mass : load.masses) kicked.add(mass, impulse * inverse_mass[mass]);
-  }
+  const FieldKick fields = field_kick(model, h, drag_at);
+  kick_masses(velocity.size(), fields.kick, to_read(velocity), to_write(kicked));
+  visit_loads(model, load_time, h, fields.answer,
+              [&](Index mass, const Vec3& change) { kicked.add(mass, change); });
+}
+
+void kick_and_drift(const Model& model, double load_time, double kick_time, double h, const Vectors& position,
+                    const Vectors& velocity, Vectors& kicked, Vectors& moved, DragAt drag_at) {
+  const FieldKick fields = field_kick(model, kick_time, drag_at);
+  kick_and_move(velocity.size(), fields.kick, h, to_read(position), to_read(velocity), to_write(kicked),
+                to_write(moved));
+  visit_loads(model, load_time, kick_time, fields.answer, [&](Index mass, const Vec3& change) {
+    kicked.add(mass, change);
+    moved.set(mass, position.at(mass) + h * kicked.at(mass));
+  });
+}
+
+void mean_velocity_and_kick(const Model& model, double load_time, double kick_time, double h,
+                            const Vectors& from, const Vectors& to, Vectors& velocity) {
+  const FieldKick fields = field_kick(model, kick_time, DragAt::end);
+  mean_and_kick(velocity.size(), fields.kick, 1.0 / h, to_read(from), to_read(to), to_write(velocity));
+  for (const DrivenPin& pin : model.driven_pins) velocity.set(pin.mass, velocity_at(pin.motion, load_time));
+  visit_loads(model, load_time, kick_time, fields.answer,
+              [&](Index mass, const Vec3& change) { velocity.add(mass, change); });
 }
 
 void fall(const Model& model, double load_time, const Vectors& velocity, Vectors& acceleration) {

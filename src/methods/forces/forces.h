@@ -15,6 +15,16 @@ enum class DragAt { end, start };
 void kick(const Model& model, double load_time, double h, const Vectors& velocity, Vectors& kicked,
           DragAt drag_at = DragAt::end);
 
+/// kick() for `kick_time` seconds and then drift() for h, in one go over the masses; none of the vectors may
+/// be another.
+void kick_and_drift(const Model& model, double load_time, double kick_time, double h, const Vectors& position,
+                    const Vectors& velocity, Vectors& kicked, Vectors& moved, DragAt drag_at);
+
+/// difference_quotient() and then kick() for `kick_time` seconds, in one go; driven pins get their
+/// velocities.
+void mean_velocity_and_kick(const Model& model, double load_time, double kick_time, double h,
+                            const Vectors& from, const Vectors& to, Vectors& velocity);
+
 /// Accelerations (m/s²) by gravity, loads and drag; 0 for pins.
 void fall(const Model& model, double load_time, const Vectors& velocity, Vectors& acceleration);
 

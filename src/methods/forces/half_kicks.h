@@ -35,6 +35,9 @@ class HalfKicks {
   /// Whether any force but drag depends on velocity.
   bool meet_velocity() const { return model_.wind.has_value() || damped_; }
 
+  /// Whether there is nothing but gravity, loads and drag.
+  bool only_fields() const { return springs_.empty() && !model_.wind; }
+
   /// Spring forces worked out in a step.
   std::int64_t solves() const {
     return (meet_velocity() ? 3 : 2) * static_cast<std::int64_t>(springs_.links.size());

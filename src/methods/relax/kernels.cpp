@@ -203,10 +203,11 @@ bool finite_singles(const Packed<float>* masses, std::size_t begin, std::size_t 
   return finite<float>(masses, begin, end);
 }
 
-template <class Real>
-HWY_INLINE bool relax_stretches(const LinkArrays<Real>& links, std::span<const LinkStretch> stretches,
-                                const Packed<Real>* start, const FreeMotion<Real>* motion,
-                                const MassRange& masses, PassPlace place, Packed<Real>* position) {
+// Calls relax(stretch) for each, with masses moved just ahead of the first link and looked at after the last.
+template <class Real, class Relax>
+HWY_INLINE bool visit_stretches(std::span<const LinkStretch> stretches, const FreeMotion<Real>* motion,
+                                const MassRange& masses, bool last, Packed<Real>* position,
+                                const Relax& relax) {
   std::size_t begun = masses.begin, done = masses.settled_begin;
   bool good = true;
   const auto begin_until = [&](std::size_t end) TAUT_INLINED {
@@ -214,18 +215,28 @@ HWY_INLINE bool relax_stretches(const LinkArrays<Real>& links, std::span<const L
     begun = std::max(begun, end);
   };
   const auto end_until = [&](std::size_t end) TAUT_INLINED {
-    if (place.last && end > done) good = finite(position, done, end) && good;
+    if (last && end > done) good = finite(position, done, end) && good;
     done = std::max(done, end);
   };
   for (const LinkStretch& stretch : stretches) {
     begin_until(stretch.begun);
-    place.first ? relax_stretch<Real, true>(links, stretch, start, position)
-                : relax_stretch<Real, false>(links, stretch, start, position);
+    relax(stretch);
     end_until(std::min({stretch.done, begun, masses.settled_end}));
   }
   begin_until(masses.end);
   end_until(masses.settled_end);
   return good;
+}
+
+template <class Real>
+HWY_INLINE bool relax_stretches(const LinkArrays<Real>& links, std::span<const LinkStretch> stretches,
+                                const Packed<Real>* start, const FreeMotion<Real>* motion,
+                                const MassRange& masses, PassPlace place, Packed<Real>* position) {
+  return visit_stretches(stretches, motion, masses, place.last, position,
+                         [&](const LinkStretch& stretch) TAUT_INLINED {
+                           place.first ? relax_stretch<Real, true>(links, stretch, start, position)
+                                       : relax_stretch<Real, false>(links, stretch, start, position);
+                         });
 }
 
 bool relax_doubles(const LinkArrays<double>& links, std::span<const LinkStretch> stretches,
@@ -298,27 +309,30 @@ HWY_NOINLINE void relax_along(const LinkArrays<double>& all_links, const LinkStr
 }
 
 template <bool first, bool judged>
-HWY_INLINE void relax_each_along(const LinkArrays<double>& links, std::span<const LinkStretch> stretches,
-                                 const Packed<double>* start, Packed<double>* position, AlongFound& found) {
-  for (const LinkStretch& stretch : stretches)
-    if (stretch.weighted)
-      relax_along<false, true, first, judged>(links, stretch, start, position, found);
-    else if (stretch.stride == 0)
-      relax_along<false, false, first, judged>(links, stretch, start, position, found);
-    else
-      relax_along<true, false, first, judged>(links, stretch, start, position, found);
+HWY_INLINE void relax_stretch_along(const LinkArrays<double>& links, const LinkStretch& stretch,
+                                    const Packed<double>* start, Packed<double>* position,
+                                    AlongFound& found) {
+  if (stretch.weighted)
+    relax_along<false, true, first, judged>(links, stretch, start, position, found);
+  else if (stretch.stride == 0)
+    relax_along<false, false, first, judged>(links, stretch, start, position, found);
+  else
+    relax_along<true, false, first, judged>(links, stretch, start, position, found);
 }
 
-void relax_all_along(const LinkArrays<double>& links, std::span<const LinkStretch> stretches,
-                     const Packed<double>* start, bool first, bool judged, Packed<double>* position,
-                     AlongFound& found) {
+bool relax_all_along(const LinkArrays<double>& links, std::span<const LinkStretch> stretches,
+                     const Packed<double>* start, const FreeMotion<double>* motion, const MassRange& masses,
+                     PassPlace place, bool judged, Packed<double>* position, AlongFound& found) {
   found.worst = 0.0;
-  if (first)
-    judged ? relax_each_along<true, true>(links, stretches, start, position, found)
-           : relax_each_along<true, false>(links, stretches, start, position, found);
-  else
-    judged ? relax_each_along<false, true>(links, stretches, start, position, found)
-           : relax_each_along<false, false>(links, stretches, start, position, found);
+  return visit_stretches(
+      stretches, motion, masses, place.last, position, [&](const LinkStretch& stretch) TAUT_INLINED {
+        if (place.first)
+          judged ? relax_stretch_along<true, true>(links, stretch, start, position, found)
+                 : relax_stretch_along<true, false>(links, stretch, start, position, found);
+        else
+          judged ? relax_stretch_along<false, true>(links, stretch, start, position, found)
+                 : relax_stretch_along<false, false>(links, stretch, start, position, found);
+      });
 }
 
 }  // namespace taut::HWY_NAMESPACE
@@ -358,10 +372,11 @@ bool are_finite(const Packed<float>* position, std::size_t begin, std::size_t en
   return HWY_DYNAMIC_DISPATCH(finite_singles)(position, begin, end);
 }
 
-void relax_along_start(const LinkArrays<double>& links, std::span<const LinkStretch> stretches,
-                       const Packed<double>* start, bool first, bool judged, Packed<double>* position,
-                       AlongFound& found) {
-  HWY_DYNAMIC_DISPATCH(relax_all_along)(links, stretches, start, first, judged, position, found);
+bool relax_along_start(const LinkArrays<double>& links, std::span<const LinkStretch> stretches,
+                       const Packed<double>* start, const FreeMotion<double>* motion, const MassRange& masses,
+                       PassPlace place, bool judged, Packed<double>* position, AlongFound& found) {
+  return HWY_DYNAMIC_DISPATCH(relax_all_along)(links, stretches, start, motion, masses, place, judged,
+                                               position, found);
 }
 
 }  // namespace taut

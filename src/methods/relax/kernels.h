@@ -112,10 +112,10 @@ struct AlongFound {
   std::vector<LostLink> lost;
 };
 
-/// One pass of rigid links along their directions at `start`. Lost links are left as they are, and added to
+/// The same of rigid links along their directions at `start`. Lost links are left as they are, and added to
 /// those found.
-void relax_along_start(const LinkArrays<double>& links, std::span<const LinkStretch> stretches,
-                       const Packed<double>* start, bool first, bool judged, Packed<double>* position,
-                       AlongFound& found);
+bool relax_along_start(const LinkArrays<double>& links, std::span<const LinkStretch> stretches,
+                       const Packed<double>* start, const FreeMotion<double>* motion, const MassRange& masses,
+                       PassPlace place, bool judged, Packed<double>* position, AlongFound& found);
 
 }  // namespace taut

@@ -268,7 +268,6 @@ bool Relaxation<Real>::pass(const Masses& start, Masses& position, PassPlace pla
   return finite.load() && (!place.last || unsettled_are_finite(position));
 }
 
-// The masses around where two parts meet.
 template <class Real>
 bool Relaxation<Real>::unsettled_are_finite(const Masses& position) const {
   std::size_t begin = 0;

@@ -60,7 +60,8 @@ class Relaxation {
   /// free masses come to `position` by it first. False when one is not finite, looked at in the last pass.
   bool pass(const Masses& start, Masses& position, PassPlace place, const FreeMotion<Real>* motion = nullptr);
 
-  /// Where a free mass lies in such room.
+  /// The free masses in the order in which they lie in such room, and where one lies.
+  const std::vector<Index>& free_masses() const { return masses_; }
   Index place(Index mass) const { return place_[mass]; }
   /// λ of a link that is visited: the sum over the passes of the step.
   Real multiplier(Index link) const { return arrays_.multiplier[slot_[link]]; }
@@ -84,12 +85,19 @@ class Relaxation {
   std::shared_ptr<Workers> workers_;
   std::vector<Index> visited_;  // link by slot; no_link where a stretch is filled up
 
- private:
   struct Arrays {
     std::vector<std::uint32_t> a, b;                            // as LinkStretch::ends has it
     std::vector<Real> length, multiplier;                       // one a slot
     std::vector<Real> factor, share_a, share_b, scaled, gamma;  // one a special place
   };
+  // Whether the masses around where two parts meet are.
+  bool unsettled_are_finite(const Masses& position) const;
+
+  Arrays arrays_;
+  std::vector<Real> multiplier_before_;  // of the step before
+  std::vector<std::uint32_t> slot_;      // of each link that is visited
+
+ private:
   // Where a mass lies beside its place among the free ones: a pin's end of one link.
   struct PinEnd {
     Index mass, place;
@@ -103,7 +111,6 @@ class Relaxation {
   Index place_of(Index mass);
   void add_section(const std::vector<std::vector<Index>>& runs, const MassRange& masses);
   void find_reach(const Section& section);
-  bool unsettled_are_finite(const Masses& position) const;
   void settle(Real h, Real answer);
 
   const Model& model_;
@@ -114,11 +121,8 @@ class Relaxation {
   std::vector<Index> place_;      // of each free mass
   std::vector<PinEnd> pin_ends_;  // a place for each link that ends in a pin: no two write to one
   Masses room_;
-  std::vector<std::uint32_t> slot_;  // of each link that is visited
-  std::vector<Index> special_;       // link by special place; no_link likewise
+  std::vector<Index> special_;  // link by special place; no_link likewise
   std::vector<LinkStretch> stretches_;
-  Arrays arrays_;
-  std::vector<Real> multiplier_before_;      // of the step before
   Real settled_h_ = 0, settled_answer_ = 0;  // what the arrays of special links hold for
 };
 

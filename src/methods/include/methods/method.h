@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -170,6 +171,9 @@ class Stepper {
   /// The same as store(), but where that would cost something the state is that of an earlier step beside
   /// time, pins, and what is watched.
   virtual const State& glimpse() { return store(); }
+  /// The energy of the masses' motion and of gravity (J), where it costs less than store() and nothing else
+  /// holds any: no springs, bends or limits.
+  virtual std::optional<double> energy() { return std::nullopt; }
 };
 
 /// What a method costs on a usual processor (ns): what searches and charts predict times from before they

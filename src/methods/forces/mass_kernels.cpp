@@ -1,0 +1,81 @@
+// Kernels that go over masses, made once for every set of vector instructions that the compiler can and
+// chosen by the processor at hand. All give the same bits.
+
+#include "forces/mass_kernels.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "forces/mass_kernels.cpp"
+#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#include <hwy/foreach_target.h>
+// After it, as it asks.
+#include <hwy/highway.h>
+
+#include "each_value-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace taut::HWY_NAMESPACE {
+
+// Velocities after the kick: v (keep f + (1 − f)) + gain f with f 1 for free masses and 0 for pins, so
+// without branches.
+template <class D, class V>
+HWY_INLINE Three<V> kicked_by(D tag, const MassKick& kick, std::size_t i, const Three<V>& v) {
+  const V one = hn::Set(tag, 1.0);
+  const V free = hn::Min(hn::Mul(hn::Set(tag, 1e300), hn::LoadU(tag, kick.inverse_mass + i)), one);
+  const V keep = hn::Add(hn::Mul(hn::Set(tag, kick.keep), free), hn::Sub(one, free));
+  const Three<V> gain{hn::Set(tag, kick.gain[0]), hn::Set(tag, kick.gain[1]), hn::Set(tag, kick.gain[2])};
+  return sum(scaled(keep, v), scaled(free, gain));
+}
+
+void kick_each(std::size_t count, const MassKick& kick, const AxesToRead& velocity,
+               const AxesToWrite& kicked) {
+  for_each_value(0, count, [&](auto tag, std::size_t i) TAUT_INLINED {
+    store_three(tag, kicked_by(tag, kick, i, load_three(tag, velocity, i)), kicked, i);
+  });
+}
+
+void kick_and_move_each(std::size_t count, const MassKick& kick, double h, const AxesToRead& position,
+                        const AxesToRead& velocity, const AxesToWrite& kicked, const AxesToWrite& moved) {
+  for_each_value(0, count, [&](auto tag, std::size_t i) TAUT_INLINED {
+    const auto v = kicked_by(tag, kick, i, load_three(tag, velocity, i));
+    store_three(tag, v, kicked, i);
+    store_three(tag, sum(load_three(tag, position, i), scaled(hn::Set(tag, h), v)), moved, i);
+  });
+}
+
+void mean_and_kick_each(std::size_t count, const MassKick& kick, double rate, const AxesToRead& from,
+                        const AxesToRead& to, const AxesToWrite& velocity) {
+  for_each_value(0, count, [&](auto tag, std::size_t i) TAUT_INLINED {
+    const auto moved = difference(load_three(tag, to, i), load_three(tag, from, i));
+    store_three(tag, kicked_by(tag, kick, i, scaled(hn::Set(tag, rate), moved)), velocity, i);
+  });
+}
+
+}  // namespace taut::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace taut {
+
+HWY_EXPORT(kick_each);
+HWY_EXPORT(kick_and_move_each);
+HWY_EXPORT(mean_and_kick_each);
+
+void kick_masses(std::size_t count, const MassKick& kick, const AxesToRead& velocity,
+                 const AxesToWrite& kicked) {
+  HWY_DYNAMIC_DISPATCH(kick_each)(count, kick, velocity, kicked);
+}
+
+void kick_and_move(std::size_t count, const MassKick& kick, double h, const AxesToRead& position,
+                   const AxesToRead& velocity, const AxesToWrite& kicked, const AxesToWrite& moved) {
+  HWY_DYNAMIC_DISPATCH(kick_and_move_each)(count, kick, h, position, velocity, kicked, moved);
+}
+
+void mean_and_kick(std::size_t count, const MassKick& kick, double rate, const AxesToRead& from,
+                   const AxesToRead& to, const AxesToWrite& velocity) {
+  HWY_DYNAMIC_DISPATCH(mean_and_kick_each)(count, kick, rate, from, to, velocity);
+}
+
+}  // namespace taut
+
+#endif

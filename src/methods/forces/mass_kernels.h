@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+
+#include "axes.h"
+
+namespace taut {
+
+/// What kick() does to free masses: v ← v·keep + gain. Pins keep theirs.
+struct MassKick {
+  const double* inverse_mass;  ///< 1/kg, 0 for pins
+  double keep;
+  Vec3 gain;  ///< m/s
+};
+
+/// kicked = v after the kick, of `count` masses; it may be v.
+void kick_masses(std::size_t count, const MassKick& kick, const AxesToRead& velocity,
+                 const AxesToWrite& kicked);
+
+/// kicked = v after the kick, moved = x + h·kicked, of `count` masses.
+void kick_and_move(std::size_t count, const MassKick& kick, double h, const AxesToRead& position,
+                   const AxesToRead& velocity, const AxesToWrite& kicked, const AxesToWrite& moved);
+
+/// velocity = rate·(to − from) after the kick, of `count` masses.
+void mean_and_kick(std::size_t count, const MassKick& kick, double rate, const AxesToRead& from,
+                   const AxesToRead& to, const AxesToWrite& velocity);
+
+}  // namespace taut

@@ -1,0 +1,283 @@
+// shake where nothing acts on masses but rigid links, gravity, drag and pins. Masses stay packed between
+// steps, as in packed_stepper.cpp, and so do multipliers: with the sums Σ q of the last two steps, as long as
+// each other, the tension at the end of a step is worked out when somebody asks for it. shake.cpp has the
+// formulas. The first steps after load(), and those of another length than the one before, work it out at
+// once.
+
+#include "relax/packed_shake.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "base/vector_operations.h"
+#include "forces/forces.h"
+#include "relax/along_relaxation.h"
+
+namespace taut {
+namespace {
+
+constexpr int steps_to_last =
+    2;  // as long as each other, from which multipliers tell tensions, one back as well
+
+class PackedShake final : public Stepper {
+ public:
+  PackedShake(const Model& model, int passes, const Execution& execution)
+      : model_(model), passes_(passes), links_(model, execution) {}
+
+  void load(const State& state) override {
+    const bool changed = !loaded_ || state.broken_at != state_.broken_at;
+    state_ = state;
+    loaded_ = true;
+    if (changed) {
+      links_.links_changed(state_);
+      previous_ = present_ = next_ = probed_ = links_.room();
+    }
+    links_.load(state_.velocity, previous_);
+    links_.load(state_.position, present_);
+    links_.load(state_.position, next_);
+    at_ = {};
+    behind_ = tensions_behind_ = false;
+    std::vector<bool> driven(model_.masses.size(), false);
+    for (const DrivenPin& pin : model_.driven_pins) driven[pin.mass] = true;
+    pins_finite_ = true;
+    for (std::size_t mass = 0; mass < model_.masses.size(); ++mass)
+      if (model_.masses.pinned(mass) && !driven[mass])
+        pins_finite_ =
+            pins_finite_ && state_.position.at(mass).allFinite() && state_.velocity.at(mass).allFinite();
+  }
+
+  StepReport step(double h, double end_time) override {
+    const bool as_last = state_.unanswered_kick == 0.5 * h;
+    const bool lasting = as_last && at_.lasting >= steps_to_last;
+    if (!lasting) {
+      store();
+      tension_kept_ = state_.tension;
+      tension_before_kept_ = state_.tension_before;
+    }
+    keep_pins(pins_before_);
+    place_pins(model_, end_time, state_.position, state_.velocity);
+    StepReport report;
+    if (!std::isfinite(end_time) || !pins_finite_) report.status = StepStatus::not_finite;
+    if (report.status == StepStatus::done) move(h, next_, report);
+    if (report.status != StepStatus::done) {
+      put_pins(pins_before_);
+      return report;
+    }
+    std::swap(previous_, present_);
+    std::swap(present_, next_);
+    kept_ = {at_, state_.time, state_.unanswered_kick, !lasting};
+    const double scale = tension_scale(h, state_.unanswered_kick);
+    at_ = {h, false, as_last ? at_.lasting + 1 : 0};
+    state_.unanswered_kick = 0.5 * h;
+    state_.time = end_time;
+    behind_ = true;
+    tensions_behind_ = lasting;
+    if (!lasting) set_tensions(h, scale, as_last, report);
+    return report;
+  }
+
+  void undo() override {
+    std::swap(present_, next_);
+    std::swap(previous_, present_);
+    links_.take_back();
+    put_pins(pins_before_);
+    at_ = kept_.at;
+    state_.time = kept_.time;
+    state_.unanswered_kick = kept_.unanswered_kick;
+    behind_ = true;
+    tensions_behind_ = !kept_.tensions;
+    if (!kept_.tensions) return;
+    std::swap(state_.tension, tension_kept_);
+    std::swap(state_.tension_before, tension_before_kept_);
+    at_.lasting = 0;
+  }
+
+  const State& store() override {
+    if (behind_) {
+      behind_ = false;
+      links_.give(present_, state_.position);
+      if (at_.velocities) {
+        links_.give(previous_, state_.velocity);
+      } else {
+        links_.give_difference(previous_, present_, 1.0 / at_.h, state_.velocity);
+        place_pins(model_, state_.time, state_.position, state_.velocity);
+        kick(model_, state_.time, 0.5 * at_.h, state_.velocity, state_.velocity);
+      }
+    }
+    if (tensions_behind_) {
+      tensions_behind_ = false;
+      links_.give_continued(lasting_scale(), state_.tension, state_.tension_before);
+    }
+    return state_;
+  }
+
+  void watch(const Watched& watched) override { watched_ = watched; }
+
+  const State& glimpse() override {
+    if (!behind_ || at_.velocities) return store();
+    const FieldStep end = end_kick();
+    for (const Index mass : watched_.masses) {
+      if (model_.masses.pinned(mass)) continue;
+      const std::size_t place = links_.place(mass);
+      state_.position.set(mass, at(present_, place));
+      state_.velocity.set(mass, velocity_at_place(place, end));
+    }
+    if (tensions_behind_)
+      for (const Index link : watched_.links)
+        if (!state_.broken(link) && model_.links.rigid(link))
+          state_.tension[link] = links_.continued(link, lasting_scale());
+    return state_;
+  }
+
+  std::optional<double> energy() override {
+    if (at_.velocities) return std::nullopt;
+    const FieldStep end = end_kick();
+    Vec3 twice_kinetic = Vec3::Zero(), moment = Vec3::Zero();
+    for (std::size_t place = 0; place < links_.free_masses().size(); ++place) {
+      const double mass = model_.masses.mass[links_.free_masses()[place]];
+      twice_kinetic += mass * velocity_at_place(place, end).cwiseAbs2();
+      moment += mass * at(present_, place);
+    }
+    return 0.5 * twice_kinetic.sum() - model_.gravity.dot(moment);
+  }
+
+ private:
+  using Masses = AlongRelaxation::Masses;
+
+  // Where steps have come to.
+  struct Going {
+    double h = 1.0;          // s, of the last step
+    bool velocities = true;  // previous_ has them: there is no last step
+    int lasting = 0;         // steps as long as the one before, in a row
+  };
+  // What undo() goes back to.
+  struct Kept {
+    Going at;
+    double time = 0.0, unanswered_kick = 0.0;  // s
+    bool tensions = false;                     // whether they were kept: else multipliers tell them
+  };
+  // What gravity and drag make of a velocity: v·keep + gain.
+  struct FieldStep {
+    double keep = 1.0;
+    Vec3 gain = Vec3::Zero();
+  };
+
+  FieldStep end_kick() const {
+    const double seconds = 0.5 * at_.h, answer = 1.0 / (1.0 + seconds * model_.drag);
+    return {answer, model_.gravity * (seconds * answer)};
+  }
+  static Packed<double> packed_gain(const Vec3& gain) { return {gain.x(), gain.y(), gain.z(), 0.0}; }
+  static Vec3 at(const Masses& masses, std::size_t place) {
+    return {masses[place].x, masses[place].y, masses[place].z};
+  }
+  Vec3 velocity_at_place(std::size_t place, const FieldStep& end) const {
+    return ((at(present_, place) - at(previous_, place)) * (1.0 / at_.h)) * end.keep + end.gain;
+  }
+
+  void keep_pins(std::vector<Vec3>& pins) const {
+    pins.clear();
+    for (const DrivenPin& pin : model_.driven_pins) {
+      pins.push_back(state_.position.at(pin.mass));
+      pins.push_back(state_.velocity.at(pin.mass));
+    }
+  }
+  void put_pins(const std::vector<Vec3>& pins) {
+    for (std::size_t i = 0; i < model_.driven_pins.size(); ++i) {
+      state_.position.set(model_.driven_pins[i].mass, pins[2 * i]);
+      state_.velocity.set(model_.driven_pins[i].mass, pins[2 * i + 1]);
+    }
+  }
+
+  // The masses at the end of another step of h seconds, to `moved`, with pins where the state has them.
+  void move(double h, Masses& moved, StepReport& report) {
+    const FieldStep end = end_kick();
+    const double half = 0.5 * h;
+    const FreeMotion<double> motion{previous_.data(),
+                                    present_.data(),
+                                    at_.velocities,
+                                    1.0 / at_.h,
+                                    end.keep,
+                                    1.0 - half * model_.drag,
+                                    h,
+                                    packed_gain(end.gain),
+                                    packed_gain(model_.gravity * half)};
+    links_.load_pins(state_.position, moved);
+    links_.begin_step(1.0, 1.0);
+    for (int made = 0; made < passes_; ++made) {
+      const AlongStart found = links_.pass_along(present_, moved, {made == 0, made == passes_ - 1}, false,
+                                                 made == 0 ? &motion : nullptr);
+      if (found.lost()) {
+        report.status = std::isfinite(found.lost_along) ? StepStatus::direction_lost : StepStatus::not_finite;
+        report.worst_link = found.lost_link;
+      } else if (!found.finite) {
+        report.status = StepStatus::not_finite;
+      }
+      if (report.status != StepStatus::done) return links_.take_back();
+      ++report.rounds;
+      report.link_solves += links_.size();
+    }
+  }
+
+  // Tensions at the end of the step just made, from those at its start and those before it, or from another
+  // step, which is not made.
+  void set_tensions(double h, double scale, bool as_last, StepReport& report) {
+    start_tension_ = state_.tension;
+    links_.give_multipliers_along(scale, start_tension_);
+    if (as_last && !state_.tension_before.empty()) {
+      all_of(state_.tension) = 2.0 * all_of(start_tension_) - all_of(state_.tension_before);
+    } else {
+      state_.tension = start_tension_;
+      probe(h, report);
+    }
+    if (as_last)
+      std::swap(state_.tension_before, start_tension_);
+    else
+      state_.tension_before.clear();
+  }
+
+  void probe(double h, StepReport& report) {
+    if (links_.size() == 0) return;
+    keep_pins(pins_at_end_);
+    place_pins(model_, state_.time + h, state_.position, state_.velocity);
+    StepReport probe;
+    move(h, probed_, probe);
+    put_pins(pins_at_end_);
+    report.link_solves += probe.link_solves;
+    if (probe.status != StepStatus::done) return;
+    links_.give_multipliers_along(tension_scale(h, state_.unanswered_kick), state_.tension);
+    links_.take_back();
+  }
+
+  // What the multipliers of a step of h seconds that has also answered the kick before it say of its start.
+  double tension_scale(double h, double kick_before) const {
+    return (1.0 + 0.5 * h * model_.drag) / (h * (0.5 * h + kick_before));
+  }
+  double lasting_scale() const { return tension_scale(at_.h, 0.5 * at_.h); }
+
+  const Model& model_;
+  int passes_;
+  AlongRelaxation links_;
+  State state_;  // of pins always, of all else where it isn't behind
+  Watched watched_;
+  bool loaded_ = false;
+  bool pins_finite_ = true;  // those that nothing drives
+  bool behind_ = false, tensions_behind_ = false;
+  Going at_;
+  Kept kept_;
+  std::vector<Vec3> pins_before_, pins_at_end_;
+  Masses previous_, present_, next_;  // the free masses before, now, and being made; or before that
+  Masses probed_;                     // at the end of a step that is not made
+  std::vector<double> start_tension_, tension_kept_, tension_before_kept_;  // N
+};
+
+}  // namespace
+
+std::unique_ptr<Stepper> make_packed_shake(const Model& model, int passes, const Execution& execution) {
+  return std::make_unique<PackedShake>(model, passes, execution);
+}
+
+}  // namespace taut
