@@ -36,6 +36,7 @@ void BodyContacts::begin_step(const std::vector<ContactSlip>& slips, const Vecto
                               const Vectors& predicted) {
   start_ = &start;
   touched_ = false;
+  impulse_way_ = 0.0;
   if (balls_.empty()) return;
   if (moved_since_search(predicted)) {
     centres_.clear();
@@ -61,10 +62,14 @@ void BodyContacts::begin_step(const std::vector<ContactSlip>& slips, const Vecto
   for (const auto& [a, b] : pairs_) frictions_.emplace_back(known.slip(a, b));
 }
 
-// How far a has moved since the start of the step, as seen from b.
+// How far a point has moved since the start of the step.
+Vec3 BodyContacts::way_of(std::uint32_t point, const Vectors& position) const {
+  return points_.value(point, position) - points_.value(point, *start_);
+}
+
+// The same of a, as seen from b.
 Vec3 BodyContacts::moved(std::uint32_t a, std::uint32_t b, const Vectors& position) const {
-  return (points_.value(a, position) - points_.value(a, *start_)) -
-         (points_.value(b, position) - points_.value(b, *start_));
+  return way_of(a, position) - way_of(b, position);
 }
 
 void BodyContacts::solve(Vectors& position) {
@@ -83,6 +88,8 @@ void BodyContacts::solve(Vectors& position) {
     const Vec3 change = overlap * normal + held;
     points_.move(a, weight_a / (weight_a + weight_b) * change, position);
     points_.move(b, -weight_b / (weight_a + weight_b) * change, position);
+    if (weight_a == 0.0) impulse_way_ -= change.dot(way_of(a, position)) / weight_b;
+    if (weight_b == 0.0) impulse_way_ += change.dot(way_of(b, position)) / weight_a;
   }
 }
 

@@ -27,6 +27,9 @@ class BodyContacts {
   /// Whether any have touched in this step.
   bool touched() const { return touched_; }
 
+  /// What balls that are moved by pins have done to others in this step of h seconds (J).
+  double work(double h) const { return impulse_way_ / (h * h); }
+
   /// Whether more balls are near each other than can be solved; then none is, and the step is none.
   bool crowded() const { return crowded_; }
 
@@ -35,6 +38,7 @@ class BodyContacts {
 
  private:
   bool moved_since_search(const Vectors& position) const;
+  Vec3 way_of(std::uint32_t point, const Vectors& position) const;
   Vec3 moved(std::uint32_t a, std::uint32_t b, const Vectors& position) const;
   static std::vector<BodyBall> touching_balls(const Model& model, std::vector<std::uint32_t>& points);
 
@@ -47,6 +51,7 @@ class BodyContacts {
   std::vector<StickingFriction> frictions_;  // one a pair, of this step; none without static friction
   const Vectors* start_ = nullptr;
   bool touched_ = false, crowded_ = false;
+  double impulse_way_ = 0.0;  // kg m²
 };
 
 }  // namespace taut

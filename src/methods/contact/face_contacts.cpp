@@ -131,12 +131,15 @@ void FaceContacts::begin_step(const Vectors& start, const Vectors& predicted, do
                               double end_time) {
   if (none_) return;
   touched_ = false;
+  impulse_way_ = 0.0;
   end_time_ = end_time;
   contacts_.clear();
   search_.mesh().places(start, start_time, start_);
   search_.mesh().places(predicted, end_time, end_);
   for (Ground& ground : grounds_) {
     if (!ground.collider->motion) continue;
+    ground.from = placement_at(*ground.collider->motion, start_time);
+    ground.to = placement_at(*ground.collider->motion, end_time);
     ground.start = std::get<HalfSpace>(shape_at(*ground.collider, start_time));
     ground.end = std::get<HalfSpace>(shape_at(*ground.collider, end_time));
   }
@@ -147,7 +150,7 @@ void FaceContacts::begin_step(const Vectors& start, const Vectors& predicted, do
   for (std::size_t pair = 0; pair < search_.pairs().size(); ++pair) prepare(pair);
 }
 
-bool FaceContacts::push(const Contact& contact, std::vector<Vec3>& places) const {
+bool FaceContacts::push(const Contact& contact, std::vector<Vec3>& places) {
   const std::vector<double>& inverse_mass = search_.mesh().inverse_mass;
   const Vec3 apart = weighed(contact.pair, contact.weights, places);
   const double depth = contact.gap - apart.dot(contact.normal);
@@ -161,6 +164,8 @@ bool FaceContacts::push(const Contact& contact, std::vector<Vec3>& places) const
   for (std::size_t k = 0; k < 4; ++k) {
     const std::uint32_t node = contact.pair.nodes[k];
     places[node] += (inverse_mass[node] * contact.weights[k] / sum) * change;
+    if (inverse_mass[node] == 0.0)
+      impulse_way_ -= contact.weights[k] / sum * change.dot(end_[node] - start_[node]);
   }
   return true;
 }
@@ -218,7 +223,11 @@ bool FaceContacts::lift_from_ground() {
       if (!under(ground, node)) continue;
       any = true;
       const double wanted = std::min(search_.mesh().radius[node], height_above(ground.start, start_[node]));
-      end_[node] += (wanted - height_above(ground.end, end_[node])) * ground.end.normal;
+      const Vec3 lift = (wanted - height_above(ground.end, end_[node])) * ground.end.normal;
+      if (ground.collider->motion)
+        impulse_way_ += lift.dot(end_[node] - ground.from.place(ground.to.back(end_[node]))) /
+                        search_.mesh().inverse_mass[node];
+      end_[node] += lift;
     }
   return any;
 }
@@ -242,7 +251,9 @@ class FaceContacts::Clusters {
     return unite(node, mesh_.size() + static_cast<std::uint32_t>(ground));
   }
 
-  void move(const std::vector<Ground>& grounds, const std::vector<Vec3>& start, std::vector<Vec3>& end) {
+  // Gives what those that are held have done (kg m²): Σ impulse × h · way.
+  double move(const std::vector<Ground>& grounds, const std::vector<Vec3>& start, std::vector<Vec3>& end) {
+    double done = 0.0;
     ways_.assign(leader_.size(), Way{});
     for (std::uint32_t node = 0; node < mesh_.size(); ++node) {
       const Vec3 moved = end[node] - start[node];
@@ -256,8 +267,11 @@ class FaceContacts::Clusters {
     for (std::uint32_t node = 0; node < mesh_.mass.size(); ++node) {
       const Way& way = ways_[leader(node)];
       if (way.count < 2 || mesh_.inverse_mass[node] == 0.0) continue;
-      end[node] = start[node] + (way.held ? way.of_held : Vec3(way.momentum / way.mass));
+      const Vec3 goes = start[node] + (way.held ? way.of_held : Vec3(way.momentum / way.mass));
+      if (way.held) done += (goes - end[node]).dot(way.of_held) * model_.masses.mass[mesh_.mass[node]];
+      end[node] = goes;
     }
+    return done;
   }
 
  private:
@@ -310,7 +324,7 @@ bool FaceContacts::hold_together() {
       }
     if (!met) return true;
     if (!grown) return false;
-    clusters.move(grounds_, start_, end_);
+    impulse_way_ += clusters.move(grounds_, start_, end_);
     find_pairs(false);
   }
 }

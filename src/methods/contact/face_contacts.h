@@ -37,6 +37,9 @@ class FaceContacts {
   /// Whether any have touched in this step.
   bool touched() const { return touched_; }
 
+  /// What solids that move, and pins that are moved, have done to faces in this step of h seconds (J).
+  double work(double h) const { return impulse_way_ / (h * h); }
+
  private:
   // What keeps a pair apart: Σ weightₖ xₖ·normal ≥ gap.
   struct Contact {
@@ -51,6 +54,7 @@ class FaceContacts {
   struct Ground {
     const Collider* collider = nullptr;
     HalfSpace start, end;
+    Placement from{}, to{};  // where it moves
   };
   class Clusters;
 
@@ -59,7 +63,7 @@ class FaceContacts {
   void prepare(std::size_t pair);
   double distance_at_start(std::size_t pair);
   double stop(std::size_t pair);
-  bool push(const Contact& contact, std::vector<Vec3>& places) const;
+  bool push(const Contact& contact, std::vector<Vec3>& places);
   void put(Vectors& position) const;
   FaceMeeting meeting(std::size_t pair);
   bool push_apart_what_meets();
@@ -75,6 +79,7 @@ class FaceContacts {
   std::vector<double> distance_at_start_;  // m, of each pair of the search, where it was asked for
   std::vector<Contact> contacts_;
   double end_time_ = 0.0;  // s
+  double impulse_way_ = 0.0;  // kg m²: Σ impulse × h · way of what is moved as prescribed
   bool finite_ = true, touched_ = false;
 };
 

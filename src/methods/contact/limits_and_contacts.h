@@ -67,9 +67,12 @@ class LimitsAndContacts {
   }
 
   /// Once velocities have been derived from positions.
-  void rebound(double h, const Vectors& position, Vectors& velocity) const {
+  void rebound(double h, const Vectors& position, Vectors& velocity) {
     contacts_.rebound(h, position, velocity);
   }
+
+  /// StepReport::contact_work of a step of h seconds, once all that is done.
+  double contact_work(double h) const { return bodies_.work(h) + faces_.work(h) + contacts_.work(h); }
 
   /// Once the step has been made.
   void keep(State& state) const {
