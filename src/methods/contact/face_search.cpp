@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace taut {
 
-FaceSearch::FaceSearch(const Model& model) : model_(model), mesh_(model) {}
+FaceSearch::FaceSearch(const Model& model, std::shared_ptr<Workers> workers)
+    : model_(model), mesh_(model), workers_(std::move(workers)) {}
 
 void FaceSearch::links_changed(const State& state) {
   whole_ = whole_faces(mesh_, model_, state.broken_at);
@@ -61,7 +63,8 @@ bool FaceSearch::cover(const std::vector<Vec3>& start, const std::vector<Vec3>& 
     middles_[i] = 0.5 * (start[i] + seen_end);
     rooms_[i] = round_up * (0.5 * (seen_end - start[i]).norm() + slack_of(i));
   }
-  find_face_pairs(mesh_, whole_, middles_, rooms_, std::numeric_limits<std::size_t>::max(), pairs_);
+  search_.find(mesh_, whole_, middles_, rooms_, std::numeric_limits<std::size_t>::max(), workers_.get(),
+               pairs_);
   covers(start, end);
   return true;
 }

@@ -21,7 +21,7 @@ class RelaxationStepper final : public FileOrderStepper {
         kicks_(kicks),
         passes_(model, passes),
         links_(model, execution),
-        limits_and_contacts_(model),
+        limits_and_contacts_(model, execution),
         joints_(model) {}
 
  private:
