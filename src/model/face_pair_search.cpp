@@ -110,6 +110,7 @@ void FacePairSearch::find_points(const Query& query, Job& job) const {
           const std::uint32_t point = job.parts->numbers[i], triangle = of_triangles.numbers[j];
           const auto [a, b, c] = query.mesh.triangles[triangle];
           if (point == a || point == b || point == c) return;
+          if (query.mesh.joins(point, {a, b, c})) return;
           query.keep_near({{point, a, b, c}, false}, point, triangle, job.found);
         });
   };
@@ -166,7 +167,7 @@ void FacePairSearch::find(const FaceMesh& mesh, const WholeFaces& whole, const s
   if (mesh.size() < fewest_nodes_to_share) workers = nullptr;
   const Query query{mesh, whole, places, rooms, most};
   Bounds sheets;
-  for (std::uint32_t node = 0; node < mesh.mass.size(); ++node)
+  for (std::uint32_t node = 0; node < mesh.sheet_nodes; ++node)
     sheets.take_in(query.bounds_of(std::array{node}));
   run_jobs(workers, parts_.size(),
            [&](std::size_t which) { gather(query, sheets, which, parts_.at(which)); });

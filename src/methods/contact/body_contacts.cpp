@@ -5,8 +5,7 @@
 namespace taut {
 namespace {
 
-constexpr double friction = 0.8;  // Coulomb's coefficient between bodies
-constexpr double stay = 0.005;    // m, that a ball may move before the list is made anew
+constexpr double stay = 0.005;  // m, that a ball may move before the list is made anew
 
 }  // namespace
 
@@ -53,7 +52,8 @@ void BodyContacts::begin_step(const std::vector<ContactSlip>& slips, const Vecto
     }
     if (any_faces_)
       std::erase_if(pairs_, [this](const auto& pair) {
-        return points_.point(pair.first).of_faces && points_.point(pair.second).of_faces;
+        const ContactPoint &a = points_.point(pair.first), &b = points_.point(pair.second);
+        return (a.of_faces && (b.of_faces || is_ball(b))) || (b.of_faces && is_ball(a));
       });
   }
   frictions_.clear();
@@ -83,8 +83,8 @@ void BodyContacts::solve(Vectors& position) {
     touched_ = true;
     const Vec3 normal = apart / distance, way = moved(a, b, position);
     const bool remembers = points_.point(a).static_friction && points_.point(b).static_friction;
-    const Vec3 held = remembers ? frictions_[i].hold(friction, overlap, normal, way)
-                                : coulomb_friction(friction, overlap, normal, way);
+    const Vec3 held = remembers ? frictions_[i].hold(body_friction, overlap, normal, way)
+                                : coulomb_friction(body_friction, overlap, normal, way);
     const Vec3 change = overlap * normal + held;
     points_.move(a, weight_a / (weight_a + weight_b) * change, position);
     points_.move(b, -weight_b / (weight_a + weight_b) * change, position);

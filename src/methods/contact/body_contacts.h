@@ -45,7 +45,7 @@ class BodyContacts {
   ContactPoints points_;
   std::vector<std::uint32_t> balls_;  // those of the points that touch others
   NearBalls near_;
-  bool any_faces_;                           // corners of faces don't touch each other as balls
+  bool any_faces_;                           // corners of faces don't touch each other, nor balls, as balls
   std::vector<Vec3> centres_;                // at the last search
   NearBalls::Pairs pairs_;                   // of points
   std::vector<StickingFriction> frictions_;  // one a pair, of this step; none without static friction

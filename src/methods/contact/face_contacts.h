@@ -12,7 +12,8 @@
 
 namespace taut {
 
-/// Contact of a model's faces with one another and with the edges, corners and balls of solids, for methods
+/// Contact of a model's faces with one another, with masses that are balls, and with the edges, corners and
+/// balls of solids, for methods
 /// that move positions and derive velocities from them. It remembers nothing from step to step. See
 /// face_contacts.cpp.
 class FaceContacts {

@@ -44,9 +44,10 @@ double FaceSearch::least_distance(const FacePair& pair) const {
 }
 
 // What a node is given beyond its way in this step: more makes searches rarer, and pairs more. Nodes of
-// solids are few, but for those of meshes, and may be what all rooms move away from.
+// solids and balls are few, but for those of meshes, and may be what all rooms move away from.
 double FaceSearch::slack_of(std::uint32_t node) const {
-  constexpr double slack = 0.5, of_solids = 8.0, of_meshes = 3.0;  // half thicknesses
+  constexpr double slack = 0.5, of_balls = 2.0, of_solids = 8.0, of_meshes = 3.0;  // half thicknesses
+  if (mesh_.is_ball(node)) return of_balls * mesh_.radius.front();
   if (!mesh_.of_solid(node)) return slack * mesh_.radius[node];
   const bool is_mesh = std::holds_alternative<MeshSolid>(mesh_.groups[mesh_.group[node]].solid->shape);
   return (is_mesh ? of_meshes : of_solids) * mesh_.radius.front();
