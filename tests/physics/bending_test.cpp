@@ -167,6 +167,17 @@ TEST(Bending, MethodsWithoutItSaySo) {
   EXPECT_NE(problems.front().find("steps_per_second"), std::string::npos) << problems.front();
 }
 
+// What newton solves limits with knows no bends.
+TEST(Bending, NewtonRefusesItBesideLinksThatOnlyPull) {
+  Description description = cantilever(6, 0.05, 0.2, 2000.0);
+  description.chains.front().properties.acts = LinkAction::pull;
+  const Built built = build_valid(description);
+  const std::vector<std::string> problems =
+      refusals(built.model, built.start, complete_settings(settings("newton", 240.0)));
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_NE(problems.front().find("bending stiffness only where"), std::string::npos) << problems.front();
+}
+
 // Where ω·h = 2 for the stiffest vibration of a row, 4 √(k/m)/l, explicit steps end.
 TEST(Bending, ExplicitStepsEndWhereTheoryHasIt) {
   Description description;
