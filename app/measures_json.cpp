@@ -42,6 +42,7 @@ Json measures_to_json(const RunMeasures& measures, const Scene& scene) {
           {"energy", energy_to_json(measures.energy)},
           {"pin_work", measures.pin_work},
           {"load_work", measures.load_work},
+          {"contact_work", measures.contact_work},
           {"broken_energy", measures.broken_energy},
           {"energy_error", measures.energy_error},
           {"linear_momentum", vector_to_json(measures.linear_momentum)},

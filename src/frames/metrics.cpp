@@ -20,13 +20,14 @@ namespace {
 
 using Measures = const RunMeasures&;
 
-constexpr std::array<MetricColumn, 16> all_columns{{
+constexpr std::array<MetricColumn, 17> all_columns{{
     {"kinetic_energy", [](Measures m, bool) { return std::optional(m.energy.kinetic); }},
     {"potential_energy", [](Measures m, bool) { return std::optional(m.energy.potential); }},
     {"elastic_energy", [](Measures m, bool) { return std::optional(m.energy.elastic); }},
     {"total_energy", [](Measures m, bool) { return std::optional(m.energy.total()); }},
     {"pin_work", [](Measures m, bool) { return std::optional(m.pin_work); }},
     {"load_work", [](Measures m, bool) { return std::optional(m.load_work); }},
+    {"contact_work", [](Measures m, bool) { return std::optional(m.contact_work); }},
     {"broken_energy", [](Measures m, bool) { return std::optional(m.broken_energy); }},
     {"energy_error", [](Measures m, bool) { return std::optional(m.energy_error); }},
     {"largest_strain", [](Measures m, bool) { return std::optional(m.strain.largest); }},

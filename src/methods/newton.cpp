@@ -1,14 +1,15 @@
 // One implicit solve of all links together per step:
 //
 //   v ← v + h a,  x ← x + h v                            gravity and loads; drag implicit
-//   x ← where the links allow, and with what pulls       chains and trees: fast_projection.cpp, nets:
-//                                                        implicit_net.cpp
+//   x ← where the links allow, and with what pulls       chains and trees: fast_projection.cpp; nets, and all
+//                                                        that resists bending: implicit_net.cpp
 //   v ← Δx/h
 //
 // First order in time and losing energy as h, but at home with any stiffness and any ratio of masses. In a
 // chain or a tree every pull follows from the masses beyond it, and Newton's method on the multipliers alone,
 // one O(n) elimination a round, takes the longest steps. In a net pulls depend on each other, and only a true
-// balance of forces at the end of the step comes to rest. With limits on angles a net is projected, too.
+// balance of forces at the end of the step comes to rest. With limits on angles a net is projected, too, and
+// bends, which are forces to be balanced, are refused.
 
 #include <array>
 #include <optional>
@@ -37,10 +38,11 @@ class NewtonStepper final : public SwappingStepper {
       if (!state.broken(link)) whole.push_back(link);
     projection_.reset();
     net_.reset();
-    if (!model_.limits.empty() || path_order(model_, whole) || tree_order(model_, whole))
+    const bool open = model_.bends.empty() && (path_order(model_, whole) || tree_order(model_, whole));
+    if (!model_.limits.empty() || open)
       projection_.emplace(model_, make_link_system(model_, whole), state);
     else
-      net_.emplace(model_, whole, nominal_step_);
+      net_.emplace(model_, whole, whole_bends(model_, state), nominal_step_);
   }
 
   StepReport make_step(State& state, double h, double end_time) override {
@@ -67,13 +69,19 @@ class NewtonStepper final : public SwappingStepper {
   double nominal_step_;  // s
   JointResistance joints_;
   std::optional<FastProjection> projection_;  // for chains, trees, and whatever has limits …
-  std::optional<ImplicitNet> net_;            // … or this one for nets
+  std::optional<ImplicitNet> net_;            // … or this one for nets and bends
 };
 
 constexpr std::array newton_params{steps_per_second_param(240.0)};
 
 std::unique_ptr<Stepper> make_newton(const Model& model, const Settings& settings, const Execution&) {
   return std::make_unique<NewtonStepper>(model, settings.steps_per_second());
+}
+
+std::string newton_refusal(const Model& model, const State&, const Settings&) {
+  if (model.bends.empty() || model.limits.empty()) return {};
+  return "method newton solves bending stiffness only where there are no limits on angles and no links that "
+         "only pull or only push: use xpbd for this scene, or leave one of the two out";
 }
 
 }  // namespace
@@ -87,6 +95,7 @@ Method newton_method() {
   can.limits = true;
   can.one_sided = true;
   can.most_limits = most_limits_solved_together;
+  can.bending = true;
   can.joints = true;
   can.break_stretch = true;
   can.break_tension = true;
@@ -96,7 +105,8 @@ Method newton_method() {
           newton_params,
           can,
           {8.0, 12.0, 0.5},
-          make_newton};
+          make_newton,
+          newton_refusal};
 }
 
 }  // namespace taut

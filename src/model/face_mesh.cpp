@@ -133,20 +133,66 @@ void add_sheet_triangles(FaceMesh& mesh, const Model& model, const Sheet& sheet,
       mesh.edges.push_back(edge);
 }
 
+// Adds the masses that touch sheets with faces as balls. Their groups, one a body, come after those of
+// solids; gives their bodies.
+std::vector<Index> add_balls(FaceMesh& mesh, const Model& model) {
+  std::vector<Index> bodies;
+  const bool any =
+      std::ranges::any_of(model.faces, [](const SheetFaces& faces) { return faces.body != no_body; });
+  if (!any) return bodies;
+  const std::size_t first_group = mesh.groups.size() + model.colliders.size();
+  for (const ContactPoint& point : model.contacts) {
+    if (!is_ball(point)) continue;
+    auto body = std::ranges::find(bodies, point.body);
+    if (body == bodies.end()) body = bodies.insert(bodies.end(), point.body);
+    mesh.mass.push_back(point.masses[0]);
+    mesh.inverse_mass.push_back(model.masses.inverse_mass[point.masses[0]]);
+    mesh.radius.push_back(point.radius);
+    mesh.core.push_back(0.0);
+    mesh.group.push_back(
+        static_cast<std::uint32_t>(first_group + static_cast<std::size_t>(body - bodies.begin())));
+  }
+  return bodies;
+}
+
+// By the links of balls.
+void join_balls(FaceMesh& mesh, const Model& model) {
+  if (mesh.sheet_nodes == mesh.mass.size()) return;
+  constexpr std::uint32_t none = 0xffffffffU;
+  std::vector<std::uint32_t> node_of(model.masses.size(), none);
+  for (std::uint32_t node = 0; node < mesh.mass.size(); ++node) node_of[mesh.mass[node]] = node;
+  for (std::size_t link = 0; link < model.links.size(); ++link) {
+    const auto [sheet, ball] = std::minmax(node_of[model.links.a[link]], node_of[model.links.b[link]]);
+    if (ball != none && sheet < mesh.sheet_nodes && ball >= mesh.sheet_nodes)
+      mesh.joined.emplace_back(ball, sheet);
+  }
+  std::ranges::sort(mesh.joined);
+}
+
 }  // namespace
 
 FaceMesh::FaceMesh(const Model& model) {
   if (model.faces.empty()) return;
   for (const SheetFaces& faces : model.faces) {
     const auto nodes = add_sheet_nodes(*this, model, faces, static_cast<std::uint32_t>(groups.size()));
-    groups.push_back({&faces, nullptr, faces.friction});
+    groups.push_back({&faces, nullptr, faces.friction, faces.body});
     add_sheet_triangles(*this, model, model.sheets[faces.sheet], nodes);
   }
+  sheet_nodes = static_cast<std::uint32_t>(mass.size());
+  const std::vector<Index> bodies = add_balls(*this, model);
+  join_balls(*this, model);
   for (const Collider& collider : model.colliders) {
     const auto solid = static_cast<std::uint32_t>(groups.size());
-    groups.push_back({nullptr, &collider, collider.friction});
+    groups.push_back({nullptr, &collider, collider.friction, no_body});
     std::visit([&](const auto& shape) { add_solid(*this, shape, solid); }, collider.shape);
   }
+  for (const Index body : bodies) groups.push_back({nullptr, nullptr, body_friction, body});
+}
+
+bool FaceMesh::joins(std::uint32_t point, const std::array<std::uint32_t, 3>& triangle) const {
+  return is_ball(point) && std::ranges::any_of(triangle, [&](std::uint32_t corner) {
+           return std::ranges::binary_search(joined, std::pair(point, corner));
+         });
 }
 
 void FaceMesh::places(const Vectors& position, double time, std::vector<Vec3>& out) const {
@@ -167,16 +213,17 @@ void FaceMesh::places(const Vectors& position, double time, std::vector<Vec3>& o
 }
 
 bool FaceMesh::meet(std::uint32_t group_a, std::uint32_t group_b) const {
-  const SheetFaces *a = groups[group_a].faces, *b = groups[group_b].faces;
-  if (a == nullptr || b == nullptr) return a != b;
-  if (a == b) return a->self_collides;
-  return a->body != b->body && a->body != no_body && b->body != no_body;
+  const Group &a = groups[group_a], &b = groups[group_b];
+  if (a.faces == nullptr && b.faces == nullptr) return false;
+  if (a.solid != nullptr || b.solid != nullptr) return true;
+  if (group_a == group_b) return a.faces->self_collides;
+  return a.body != b.body && a.body != no_body && b.body != no_body;
 }
 
 bool FaceMesh::any_meet() const {
   for (std::uint32_t a = 0; a < groups.size(); ++a)
     for (std::uint32_t b = 0; b <= a; ++b)
-      if (groups[a].faces != nullptr && groups[b].faces != nullptr && meet(a, b)) return true;
+      if (groups[a].solid == nullptr && groups[b].solid == nullptr && meet(a, b)) return true;
   return false;
 }
 
@@ -192,7 +239,7 @@ WholeFaces whole_faces(const FaceMesh& mesh, const Model& model, const std::vect
     for (const std::uint32_t node : mesh.triangles[i]) met[node] = true;
   }
   for (std::uint32_t node = 0; node < mesh.size(); ++node)
-    if (met[node] || mesh.of_solid(node)) whole.points.push_back(node);
+    if (met[node] || node >= mesh.sheet_nodes) whole.points.push_back(node);
   for (std::uint32_t i = 0; i < mesh.edges.size(); ++i) {
     const auto [one, other] = mesh.edges[i].triangles;
     if (one == FaceMesh::no_triangle || alive[one] || alive[other]) whole.edges.push_back(i);

@@ -36,7 +36,7 @@ void EnergyGuard::go_on_with(const Model& model) {
 
 // But for that of links between pins, which rigid links have no part in.
 double EnergyGuard::energy_of(const State& state) const {
-  double sum = energy_of_masses(*model_, state).total() + bending_energy(*model_, state);
+  double sum = energy_of_masses(*model_, state).total();
   for (const Index link : springs_) sum += elastic_energy(*model_, state, link);
   return sum;
 }

@@ -205,6 +205,7 @@ StepReport Run::guarded_step(double h, double end_time, int halvings) {
       touched_ = touched;
     }
     if (ledger_.keeps_anything()) ledger_.record(stepper_->glimpse());
+    ledger_.add_contacts(report.contact_work);
     return report;
   }
   if (halvings == 0 || !method_.can.takes_steps_back) return report;

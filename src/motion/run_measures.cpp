@@ -26,6 +26,7 @@ RunMeasures measure_run(const Model& model, const EnergyBase& base, const State&
   measures.energy = energy(model, end);
   measures.pin_work = work.pins;
   measures.load_work = work.loads;
+  measures.contact_work = work.contacts;
   measures.broken_energy = work.broken;
   const double gain = measures.energy.total() - measures.energy_at_start.total();
   measures.energy_error = base.scale > 0.0 ? (gain - work.expected_gain()) / base.scale : 0.0;

@@ -6,7 +6,7 @@
 namespace taut {
 namespace {
 
-constexpr std::string_view begins_with = "taut run state 3\n";
+constexpr std::string_view begins_with = "taut run state 4\n";
 
 // One list of the parts serves both ways: `pass` is called for each of them.
 template <class Pass, class Saved>

@@ -92,6 +92,11 @@ void WorkLedger::record(const std::vector<State>& states) {
   look(states.back());
 }
 
+void WorkLedger::add_contacts(double work) {
+  work_.contacts += work;
+  work_.throughput += std::abs(work);
+}
+
 // Remembers what the next step's work is reckoned from.
 void WorkLedger::look(const State& state) {
   last_pin_position_.clear();

@@ -1,4 +1,4 @@
-// What a step costs where faces touch, by the number of triangles, on one thread: a sheet that falls freely
+// What a step costs where faces touch, by the number of triangles and of threads: a sheet that falls freely
 // and flat, so that nothing is near; two that lie on each other on the ground, so that all of it is in
 // contact; and the first without faces, for what the rest of a step takes.
 #include <benchmark/benchmark.h>
@@ -33,7 +33,7 @@ SheetSpec sheet_of(std::string name, std::int64_t triangles, const Vec3& corner)
 void step(benchmark::State& run, const Description& description) {
   const Built built = bench::build_valid(description);
   Run moving(built.model, built.start, complete_settings(bench::settings("xpbd", rate)), {},
-             {std::make_shared<Workers>(1)});
+             {std::make_shared<Workers>(static_cast<int>(run.range(1)))});
   for (int i = 0; i < 20; ++i) moving.step();
   for (auto round : run) moving.step();
   if (moving.ended()) run.SkipWithError("a step was not solved");
@@ -61,8 +61,12 @@ void lying_on_another(benchmark::State& run) {
   step(run, description);
 }
 
-#define SIZES \
-  ->Arg(1000)->Arg(10'000)->Arg(100'000)->ArgName("triangles")->UseRealTime()->Unit(benchmark::kMillisecond)
+#define SIZES                                      \
+  ->ArgsProduct({{1000, 10'000, 100'000}, {1, 2}}) \
+      ->ArgNames({"triangles", "threads"})         \
+      ->UseRealTime()                              \
+      ->MeasureProcessCPUTime()                    \
+      ->Unit(benchmark::kMillisecond)
 BENCHMARK_CAPTURE(falling, without_faces, false) SIZES;
 BENCHMARK_CAPTURE(falling, with_faces, true) SIZES;
 BENCHMARK(lying_on_another) SIZES;

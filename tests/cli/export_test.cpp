@@ -103,8 +103,9 @@ TEST_F(ExportTest, EnergiesAreThoseOfTheMasses) {
   const auto energies = rows_of(taut({"export", scene_, "--times", "0,0.3,0.9", "--table", "energy"}).out);
   const auto masses = rows_of(taut({"export", scene_, "--times", "0,0.3,0.9"}).out);
   ASSERT_EQ(energies.size(), 4U);
-  EXPECT_EQ(energies[0], (std::vector<std::string>{"frame", "time", "kinetic", "potential", "elastic",
-                                                   "total", "pin_work", "load_work", "broken_energy"}));
+  EXPECT_EQ(energies[0],
+            (std::vector<std::string>{"frame", "time", "kinetic", "potential", "elastic", "total", "pin_work",
+                                      "load_work", "contact_work", "broken_energy"}));
   for (std::size_t i = 1; i < energies.size(); ++i) {
     const auto& bob = masses[2 * i];
     ASSERT_EQ(bob[3], "bob");

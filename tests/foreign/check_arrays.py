@@ -37,7 +37,7 @@ def check_npz():
 
 def check_tables():
     for table, columns in (("energy", ["kinetic", "potential", "elastic", "total", "pin_work", "load_work",
-                                       "broken_energy"]),
+                                       "contact_work", "broken_energy"]),
                            ("orientations", ["qw", "qx", "qy", "qz"])):
         csv = pd.read_csv(folder / f"{table}.csv", float_precision="round_trip")
         arrays = np.load(folder / f"{table}.npz")

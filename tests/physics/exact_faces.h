@@ -1,7 +1,8 @@
 #pragma once
 
 // Whether triangles go through each other, decided exactly: doubles are taken as the fractions they are
-// (GMP). Nothing in it is shared with what it judges, and every edge is tried with every triangle.
+// (GMP). Nothing in it is shared with what it judges, and every edge is tried with every triangle whose box
+// it meets.
 
 #include <gmpxx.h>
 
@@ -79,51 +80,71 @@ inline bool boxes_meet(const PlacedEdge& edge, const PlacedTriangle& triangle) {
   return true;
 }
 
-/// How many edges of whole triangles go through whole triangles that they have no mass in common with.
-inline std::size_t exact_tangles(const Model& model, const State& state) {
-  std::vector<const Triangle*> whole;
-  std::vector<std::pair<Index, Index>> edges;
-  for (const Triangle& triangle : model.triangles) {
-    const bool torn = std::ranges::any_of(triangle.links,
-                                          [&](Index link) { return link != no_link && state.broken(link); });
-    if (torn) continue;
-    whole.push_back(&triangle);
-    for (std::size_t k = 0; k < 3; ++k)
-      edges.push_back(std::minmax(triangle.masses[k], triangle.masses[(k + 1) % 3]));
+/// How many of some edges go through some triangles of which `may(edge, triangle)`, by their numbers, says
+/// yes.
+template <class May>
+std::size_t exact_passes(const std::vector<PlacedEdge>& edges, const std::vector<PlacedTriangle>& triangles,
+                         const May& may) {
+  // In order of their least x, so that an edge has to be tried with a stretch of them alone.
+  struct Reach {
+    double low, high;
+    std::size_t triangle;
+  };
+  std::vector<Reach> reaches;
+  double widest = 0.0;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const auto [low, high] = std::minmax({triangles[i][0].x(), triangles[i][1].x(), triangles[i][2].x()});
+    reaches.push_back({low, high, i});
+    widest = std::max(widest, high - low);
   }
-  std::ranges::sort(edges);
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  std::ranges::sort(reaches, {}, &Reach::low);
   std::size_t count = 0;
-  for (const Triangle* triangle : whole) {
-    const auto& masses = triangle->masses;
-    const PlacedTriangle placed{state.position.at(masses[0]), state.position.at(masses[1]),
-                                state.position.at(masses[2])};
-    for (const auto& [a, b] : edges) {
-      if (std::ranges::count(masses, a) + std::ranges::count(masses, b) > 0) continue;
-      const PlacedEdge edge{state.position.at(a), state.position.at(b)};
-      if (boxes_meet(edge, placed) && goes_through(edge[0], edge[1], placed)) ++count;
-    }
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const auto [low, high] = std::minmax(edges[i][0].x(), edges[i][1].x());
+    const double from = low - widest - 1e-9 * (std::abs(low) + widest);
+    for (auto reach = std::ranges::lower_bound(reaches, from, {}, &Reach::low);
+         reach != reaches.end() && reach->low <= high; ++reach)
+      if (reach->high >= low && boxes_meet(edges[i], triangles[reach->triangle]) && may(i, reach->triangle) &&
+          goes_through(edges[i][0], edges[i][1], triangles[reach->triangle]))
+        ++count;
   }
   return count;
 }
 
-/// How many edges of a box go through whole triangles.
-inline std::size_t exact_box_tangles(const Box& box, const Model& model, const State& state) {
-  std::size_t count = 0;
-  const auto corner = [&](unsigned k) -> Vec3 {
-    const Vec3 local(k & 1U ? box.half_size.x() : -box.half_size.x(),
-                     k & 2U ? box.half_size.y() : -box.half_size.y(),
-                     k & 4U ? box.half_size.z() : -box.half_size.z());
-    return box.centre + box.axes * local;
-  };
+/// The triangles of a model's sheets that no broken link is an edge of.
+inline std::vector<const Triangle*> whole_triangles(const Model& model, const State& state) {
+  std::vector<const Triangle*> whole;
   for (const Triangle& triangle : model.triangles) {
-    const PlacedTriangle placed{state.position.at(triangle.masses[0]), state.position.at(triangle.masses[1]),
-                                state.position.at(triangle.masses[2])};
-    for (unsigned k = 0; k < 8; ++k)
-      for (unsigned bit = 1; bit < 8; bit *= 2)
-        if ((k & bit) == 0 && goes_through(corner(k), corner(k | bit), placed)) ++count;
+    const bool torn = std::ranges::any_of(triangle.links,
+                                          [&](Index link) { return link != no_link && state.broken(link); });
+    if (!torn) whole.push_back(&triangle);
   }
-  return count;
+  return whole;
+}
+
+inline PlacedTriangle placed(const Triangle& triangle, const State& state) {
+  return {state.position.at(triangle.masses[0]), state.position.at(triangle.masses[1]),
+          state.position.at(triangle.masses[2])};
+}
+
+/// How many edges of whole triangles go through whole triangles that they have no mass in common with.
+inline std::size_t exact_tangles(const Model& model, const State& state) {
+  const std::vector<const Triangle*> whole = whole_triangles(model, state);
+  std::vector<std::pair<Index, Index>> ends;
+  std::vector<PlacedTriangle> triangles;
+  for (const Triangle* triangle : whole) {
+    triangles.push_back(placed(*triangle, state));
+    for (std::size_t k = 0; k < 3; ++k)
+      ends.push_back(std::minmax(triangle->masses[k], triangle->masses[(k + 1) % 3]));
+  }
+  std::ranges::sort(ends);
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  std::vector<PlacedEdge> edges;
+  for (const auto& [a, b] : ends) edges.push_back({state.position.at(a), state.position.at(b)});
+  return exact_passes(edges, triangles, [&](std::size_t edge, std::size_t triangle) {
+    const auto& masses = whole[triangle]->masses;
+    return std::ranges::count(masses, ends[edge].first) + std::ranges::count(masses, ends[edge].second) == 0;
+  });
 }
 
 }  // namespace taut::test

@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "exact_faces.h"
+#include "exact_solids.h"
 #include "fixtures.h"
 #include "model/face_depth.h"
 #include "model/measures.h"

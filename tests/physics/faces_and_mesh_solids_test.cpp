@@ -13,27 +13,6 @@ using testing::solid_of;
 
 class FacesAndMeshSolids : public ::testing::TestWithParam<std::string> {};
 
-// How many edges of either go through triangles of the other.
-std::size_t exact_solid_tangles(const MeshSolid& solid, const Model& model, const State& state) {
-  std::vector<PlacedTriangle> of_solid;
-  for (Index i = 0; i < solid.mesh->triangles().size(); ++i) {
-    const auto corners = solid.mesh->corners_of(i);
-    of_solid.push_back({solid.place(corners[0]), solid.place(corners[1]), solid.place(corners[2])});
-  }
-  std::size_t count = 0;
-  for (const Triangle& triangle : model.triangles) {
-    const PlacedTriangle cloth{state.position.at(triangle.masses[0]), state.position.at(triangle.masses[1]),
-                               state.position.at(triangle.masses[2])};
-    for (const PlacedTriangle& other : of_solid)
-      for (std::size_t k = 0; k < 3; ++k) {
-        const PlacedEdge one{cloth[k], cloth[(k + 1) % 3]}, two{other[k], other[(k + 1) % 3]};
-        if (boxes_meet(one, other) && goes_through(one[0], one[1], other)) ++count;
-        if (boxes_meet(two, cloth) && goes_through(two[0], two[1], cloth)) ++count;
-      }
-  }
-  return count;
-}
-
 Description cloth_over_solid(const MeshSolidSpec& solid, bool faces) {
   Description description;
   SheetSpec cloth = sheet_around("cloth", {0.03, 0.62, 0.04}, Eigen::Matrix3d::Identity(), 1.2, 8, 0.02);
@@ -61,9 +40,8 @@ std::size_t most_tangles(const std::string& method, const Description& descripti
   taut::Run moving(built.model, built.start, settings(method, 600.0, 2));
   std::size_t most = 0;
   while (moving.steps() < steps && moving.step()) {
-    const Shape shape = shape_at(built.model.colliders[0], moving.state().time);
     if (moving.steps() % 3 == 0)
-      most = std::max(most, exact_solid_tangles(std::get<MeshSolid>(shape), built.model, moving.state()));
+      most = std::max(most, exact_solid_passes(built.model.colliders[0], built.model, moving.state()));
     if (moving.steps() % 60 == 0)
       deepest = std::max(deepest, deepest_penetration(built.model, moving.state()));
   }

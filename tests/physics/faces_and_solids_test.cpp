@@ -40,8 +40,7 @@ TEST_P(FacesAndSolids, NoCornerOfABoxShowsThrough) {
   double deepest = 0.0;
   while (moving.steps() < 900) {
     ASSERT_TRUE(moving.step()) << moving.failure();
-    ASSERT_EQ(exact_box_tangles(std::get<Box>(built.model.colliders[0].shape), built.model, moving.state()),
-              0U)
+    ASSERT_EQ(exact_solid_passes(built.model.colliders[0], built.model, moving.state()), 0U)
         << moving.steps();
     deepest = std::max(deepest, deepest_penetration(built.model, moving.state()));
   }
@@ -54,8 +53,7 @@ TEST_P(FacesAndSolids, WithoutFacesACornerShowsThrough) {
   taut::Run moving(built.model, built.start, settings(GetParam(), 600.0, 2));
   std::size_t through = 0;
   while (moving.steps() < 900 && moving.step())
-    through = std::max(through, exact_box_tangles(std::get<Box>(built.model.colliders[0].shape), built.model,
-                                                  moving.state()));
+    through = std::max(through, exact_solid_passes(built.model.colliders[0], built.model, moving.state()));
   EXPECT_GT(through, 0U);
 }
 
@@ -145,8 +143,8 @@ TEST_P(FacesAndSolids, NoCornerOfABoxThatMovesAndTurnsShowsThrough) {
   double deepest = 0.0;
   while (moving.steps() < 420) {
     ASSERT_TRUE(moving.step()) << moving.failure();
-    const Shape shape = shape_at(built.model.colliders[0], moving.state().time);
-    ASSERT_EQ(exact_box_tangles(std::get<Box>(shape), built.model, moving.state()), 0U) << moving.steps();
+    ASSERT_EQ(exact_solid_passes(built.model.colliders[0], built.model, moving.state()), 0U)
+        << moving.steps();
     deepest = std::max(deepest, deepest_penetration(built.model, moving.state()));
   }
   EXPECT_LT(deepest, 0.01);

@@ -9,6 +9,7 @@
 
 #include "fixtures.h"
 #include "frames/simulation.h"
+#include "model/measures.h"
 #include "scenes_of_the_program.h"
 
 namespace taut::test {
@@ -95,6 +96,30 @@ TEST(RopesOverSolids, EulersBelt) {
   const Built built = build_valid(machine(1.6, 1.0, friction));
   const State held = run(built, settings("xpbd", 4000.0, 40.0), 0.5);
   EXPECT_LT((held.position.at(0) - built.start.position.at(0)).norm(), 0.01);
+}
+
+// A drum turns under a rope that hangs from a pin on one side and bears a weight on the other, towards the
+// pin: there it leaves e^−µπ of the pull, and rubs with what it takes at the speed of its turn, as long as it
+// turns.
+TEST(RopesOverSolids, ADrumThatRubsPaysForTheHeat) {
+  const double friction = 0.3, rate = 2.0;  // rad/s
+  Description description = machine(0.0, 1.0, friction);
+  description.masses.front().pinned = true;
+  description.capsules.front().moves.rotation =
+      RotationSpec{{0, 0, 1}, {}, {}, rate * 180.0 / std::numbers::pi, 0.1};
+  const Built built = build_valid(description);
+  taut::Run run_of(built.model, built.start, settings("xpbd", 4000.0, 40.0));
+  const State before = *run_of.at(0.5);
+  const double done = run_of.work().contacts;
+  const State after = *run_of.at(1.5);
+  EXPECT_LT(position_error(before, after), 1e-3);  // nothing else changes
+  const double hanging = rope_mass * (leg / rope_length());
+  const double lying = rope_mass - 2.0 * hanging, round = pulley + rope_radius;
+  // What lies on the drum is pressed on by its own weight, too: within what it could at most.
+  const double power =
+      rate * round * (1.0 + hanging + 0.5 * lying) * fall * (1.0 - std::exp(-friction * std::numbers::pi));
+  EXPECT_NEAR(run_of.work().contacts - done, power, 0.01 * power);
+  EXPECT_LT(energy(built.model, after).total() - energy(built.model, before).total(), 0.01 * power);
 }
 
 TEST(RopesOverSolids, AWinchPullsAtItsRadiusTimesItsRate) {

@@ -5,8 +5,7 @@
 namespace taut {
 namespace {
 
-constexpr double friction = 0.8;  // Coulomb's coefficient between bodies
-constexpr double stay = 0.005;    // m, that a ball may move before the list is made anew
+constexpr double stay = 0.005;  // m, that a ball may move before the list is made anew
 
 }  // namespace
 
@@ -36,6 +35,7 @@ void BodyContacts::begin_step(const std::vector<ContactSlip>& slips, const Vecto
                               const Vectors& predicted) {
   start_ = &start;
   touched_ = false;
+  impulse_way_ = 0.0;
   if (balls_.empty()) return;
   if (moved_since_search(predicted)) {
     centres_.clear();
@@ -52,7 +52,8 @@ void BodyContacts::begin_step(const std::vector<ContactSlip>& slips, const Vecto
     }
     if (any_faces_)
       std::erase_if(pairs_, [this](const auto& pair) {
-        return points_.point(pair.first).of_faces && points_.point(pair.second).of_faces;
+        const ContactPoint &a = points_.point(pair.first), &b = points_.point(pair.second);
+        return (a.of_faces && (b.of_faces || is_ball(b))) || (b.of_faces && is_ball(a));
       });
   }
   frictions_.clear();
@@ -61,10 +62,14 @@ void BodyContacts::begin_step(const std::vector<ContactSlip>& slips, const Vecto
   for (const auto& [a, b] : pairs_) frictions_.emplace_back(known.slip(a, b));
 }
 
-// How far a has moved since the start of the step, as seen from b.
+// How far a point has moved since the start of the step.
+Vec3 BodyContacts::way_of(std::uint32_t point, const Vectors& position) const {
+  return points_.value(point, position) - points_.value(point, *start_);
+}
+
+// The same of a, as seen from b.
 Vec3 BodyContacts::moved(std::uint32_t a, std::uint32_t b, const Vectors& position) const {
-  return (points_.value(a, position) - points_.value(a, *start_)) -
-         (points_.value(b, position) - points_.value(b, *start_));
+  return way_of(a, position) - way_of(b, position);
 }
 
 void BodyContacts::solve(Vectors& position) {
@@ -78,11 +83,13 @@ void BodyContacts::solve(Vectors& position) {
     touched_ = true;
     const Vec3 normal = apart / distance, way = moved(a, b, position);
     const bool remembers = points_.point(a).static_friction && points_.point(b).static_friction;
-    const Vec3 held = remembers ? frictions_[i].hold(friction, overlap, normal, way)
-                                : coulomb_friction(friction, overlap, normal, way);
+    const Vec3 held = remembers ? frictions_[i].hold(body_friction, overlap, normal, way)
+                                : coulomb_friction(body_friction, overlap, normal, way);
     const Vec3 change = overlap * normal + held;
     points_.move(a, weight_a / (weight_a + weight_b) * change, position);
     points_.move(b, -weight_b / (weight_a + weight_b) * change, position);
+    if (weight_a == 0.0) impulse_way_ -= change.dot(way_of(a, position)) / weight_b;
+    if (weight_b == 0.0) impulse_way_ += change.dot(way_of(b, position)) / weight_a;
   }
 }
 

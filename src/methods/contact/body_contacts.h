@@ -27,6 +27,9 @@ class BodyContacts {
   /// Whether any have touched in this step.
   bool touched() const { return touched_; }
 
+  /// What balls that are moved by pins have done to others in this step of h seconds (J).
+  double work(double h) const { return impulse_way_ / (h * h); }
+
   /// Whether more balls are near each other than can be solved; then none is, and the step is none.
   bool crowded() const { return crowded_; }
 
@@ -35,18 +38,20 @@ class BodyContacts {
 
  private:
   bool moved_since_search(const Vectors& position) const;
+  Vec3 way_of(std::uint32_t point, const Vectors& position) const;
   Vec3 moved(std::uint32_t a, std::uint32_t b, const Vectors& position) const;
   static std::vector<BodyBall> touching_balls(const Model& model, std::vector<std::uint32_t>& points);
 
   ContactPoints points_;
   std::vector<std::uint32_t> balls_;  // those of the points that touch others
   NearBalls near_;
-  bool any_faces_;                           // corners of faces don't touch each other as balls
+  bool any_faces_;                           // corners of faces don't touch each other, nor balls, as balls
   std::vector<Vec3> centres_;                // at the last search
   NearBalls::Pairs pairs_;                   // of points
   std::vector<StickingFriction> frictions_;  // one a pair, of this step; none without static friction
   const Vectors* start_ = nullptr;
   bool touched_ = false, crowded_ = false;
+  double impulse_way_ = 0.0;  // kg m²
 };
 
 }  // namespace taut

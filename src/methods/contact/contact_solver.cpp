@@ -83,12 +83,17 @@ const ContactSolver::Ride* ContactSolver::ride_of(std::uint32_t collider) const 
   return &*std::ranges::lower_bound(rides_, collider, {}, &Ride::collider);
 }
 
+// How far a solid has gone in this step, at a place that it has at its end.
+Vec3 ContactSolver::way_of(const Ride& ride, const Vec3& place) {
+  return place - ride.start.place(ride.end.back(place));
+}
+
 // How far a point has moved since the start of the step, as seen from the solid: beyond what has moved there
 // with it.
 Vec3 ContactSolver::moved_since_start(const Pair& pair, const Vectors& position) const {
   const Vec3 x = points_.value(pair.point, position), moved = x - points_.value(pair.point, *start_);
   const Ride* ride = ride_of(pair.collider);
-  return ride == nullptr ? moved : Vec3(moved - (x - ride->start.place(ride->end.back(x))));
+  return ride == nullptr ? moved : Vec3(moved - way_of(*ride, x));
 }
 
 // The surface of a solid as a point meets it that was somewhere, as seen from the solid, when the step began.
@@ -105,6 +110,7 @@ void ContactSolver::begin_step(const std::vector<ContactSlip>& slips, const Vect
                                double end_time) {
   start_ = &start;
   touched_ = false;
+  impulse_way_ = rebound_work_ = 0.0;
   start_velocity_ = &velocity;
   near_.clear();
   touches_.clear();
@@ -165,7 +171,10 @@ double ContactSolver::push_out(std::size_t near, Vectors& position) {
   const Vec3 held = points_.point(pair.point).static_friction
                         ? frictions_[near].hold(collider.friction, depth, surface->normal, moved)
                         : coulomb_friction(collider.friction, depth, surface->normal, moved);
-  points_.move(pair.point, surface->normal * depth + held, position);
+  const Vec3 change = surface->normal * depth + held;
+  points_.move(pair.point, change, position);
+  if (const Ride* ride = ride_of(pair.collider))
+    impulse_way_ += change.dot(way_of(*ride, x)) / points_.weight(pair.point);
   if (collider.restitution > 0.0) touch(near, surface->normal);
   return depth;
 }
@@ -179,15 +188,18 @@ void ContactSolver::keep(const Vectors& position, std::vector<ContactSlip>& slip
   }
 }
 
-void ContactSolver::rebound(double h, const Vectors& position, Vectors& velocity) const {
+void ContactSolver::rebound(double h, const Vectors& position, Vectors& velocity) {
   const double resting = 2.0 * model_.gravity.norm() * h;
   for (const Touch& touch : touches_) {
     if (touch.approach > -resting) continue;
-    double wanted = -model_.colliders[touch.pair.collider].restitution * touch.approach;
+    double of_solid = 0.0;  // m/s
     if (const Ride* ride = ride_of(touch.pair.collider))
-      wanted += ride->end_twist.velocity(points_.value(touch.pair.point, position)).dot(touch.normal);
+      of_solid = ride->end_twist.velocity(points_.value(touch.pair.point, position)).dot(touch.normal);
+    const double wanted = of_solid - model_.colliders[touch.pair.collider].restitution * touch.approach;
     const double has = points_.value(touch.pair.point, velocity).dot(touch.normal);
-    if (has < wanted) points_.move(touch.pair.point, (wanted - has) * touch.normal, velocity);
+    if (!(has < wanted)) continue;
+    points_.move(touch.pair.point, (wanted - has) * touch.normal, velocity);
+    rebound_work_ += (wanted - has) * of_solid / points_.weight(touch.pair.point);
   }
 }
 

@@ -37,7 +37,11 @@ class ContactSolver {
   /// leaves it with that share of the speed at which it came, both as seen from the solid (Müller et al.,
   /// Detailed Rigid Body Simulation with Extended Position Based Dynamics, 2020, eq. 34); but not what
   /// gravity alone could have brought to that speed within two steps, so that things come to rest.
-  void rebound(double h, const Vectors& position, Vectors& velocity) const;
+  void rebound(double h, const Vectors& position, Vectors& velocity);
+
+  /// What solids that move have done in this step of h seconds (J): Σ impulse · way of the solid over the
+  /// step, at the middle of what touches it, for that is where its impulse acts.
+  double work(double h) const { return impulse_way_ / (h * h) + rebound_work_; }
 
  private:
   // A contact point and a collider.
@@ -60,6 +64,7 @@ class ContactSolver {
 
   void move_solids(double start_time, double end_time);
   const Ride* ride_of(std::uint32_t collider) const;
+  static Vec3 way_of(const Ride& ride, const Vec3& place);
   Vec3 moved_since_start(const Pair& pair, const Vectors& position) const;
   bool solves(const Pair& pair) const;
   std::optional<Surface> surface_at(const Pair& pair, const Vec3& x, double reach) const;
@@ -70,6 +75,7 @@ class ContactSolver {
   ContactPoints points_;
   const Vectors* start_ = nullptr;
   bool touched_ = false;
+  double impulse_way_ = 0.0, rebound_work_ = 0.0;  // kg m² of pushes, J
   const Vectors* start_velocity_ = nullptr;
   GroundContacts ground_;                // single masses on the ground …
   std::vector<std::uint32_t> touching_;  // … and points that can ever touch anything else

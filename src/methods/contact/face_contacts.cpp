@@ -37,6 +37,7 @@ constexpr double not_known = -1.0;    // m
 constexpr double let_out = 0.25;      // of what is missing of a gap, in a step
 constexpr double never_nearer = 0.1;  // thicknesses, that pairs never come nearer than where they can help it
 constexpr int most_rounds = 16;       // of impulses
+constexpr std::size_t fewest_pairs_to_share = 4000;
 
 bool finite(const std::vector<Vec3>& places) {
   return std::ranges::all_of(places, [](const Vec3& place) { return place.allFinite(); });
@@ -70,7 +71,8 @@ Vec3 weighed(const FacePair& pair, const std::array<double, 4>& weights, const s
 
 }  // namespace
 
-FaceContacts::FaceContacts(const Model& model) : model_(model), none_(model.faces.empty()), search_(model) {
+FaceContacts::FaceContacts(const Model& model, const std::shared_ptr<Workers>& workers)
+    : model_(model), none_(model.faces.empty()), search_(model, workers), workers_(workers) {
   if (none_) return;
   for (const Collider& collider : model.colliders)
     if (const auto* half_space = std::get_if<HalfSpace>(&collider.shape))
@@ -110,7 +112,15 @@ FaceContacts::Contact FaceContacts::contact_at(const FacePair& pair, const FaceG
   return contact;
 }
 
-void FaceContacts::prepare(std::size_t pair) {
+std::size_t FaceContacts::sections() const {
+  return search_.pairs().size() < fewest_pairs_to_share ? 1 : most_sections;
+}
+
+std::size_t FaceContacts::section_begin(std::size_t section) const {
+  return search_.pairs().size() * section / sections();
+}
+
+void FaceContacts::prepare(std::size_t pair, std::vector<Contact>& contacts) {
   const FacePair& which = search_.pairs()[pair];
   const double apart = kept_apart(search_.mesh(), which), clear = kept_clear(search_.mesh(), which);
   const double thickness = apart - clear, watched = watched_apart(search_.mesh(), which);
@@ -124,19 +134,22 @@ void FaceContacts::prepare(std::size_t pair) {
   if (gap.distance > watched || !(gap.distance > 0.0) || left_to_others(search_.mesh(), which, gap)) return;
   Contact contact = contact_at(which, gap);
   contact.gap = distance + (distance < apart ? let_out * (apart - distance) : apart - distance);
-  contacts_.push_back(contact);
+  contacts.push_back(contact);
 }
 
 void FaceContacts::begin_step(const Vectors& start, const Vectors& predicted, double start_time,
                               double end_time) {
   if (none_) return;
   touched_ = false;
+  impulse_way_ = 0.0;
   end_time_ = end_time;
-  contacts_.clear();
+  for (std::vector<Contact>& contacts : contacts_) contacts.clear();
   search_.mesh().places(start, start_time, start_);
   search_.mesh().places(predicted, end_time, end_);
   for (Ground& ground : grounds_) {
     if (!ground.collider->motion) continue;
+    ground.from = placement_at(*ground.collider->motion, start_time);
+    ground.to = placement_at(*ground.collider->motion, end_time);
     ground.start = std::get<HalfSpace>(shape_at(*ground.collider, start_time));
     ground.end = std::get<HalfSpace>(shape_at(*ground.collider, end_time));
   }
@@ -144,10 +157,13 @@ void FaceContacts::begin_step(const Vectors& start, const Vectors& predicted, do
   if (!finite_) return;  // the step will be refused
   search_.begin_step(start_, end_);
   find_pairs(true);
-  for (std::size_t pair = 0; pair < search_.pairs().size(); ++pair) prepare(pair);
+  run_jobs(workers_.get(), sections(), [&](std::size_t section) {
+    for (std::size_t pair = section_begin(section); pair < section_begin(section + 1); ++pair)
+      prepare(pair, contacts_.at(section));
+  });
 }
 
-bool FaceContacts::push(const Contact& contact, std::vector<Vec3>& places) const {
+bool FaceContacts::push(const Contact& contact, std::vector<Vec3>& places) {
   const std::vector<double>& inverse_mass = search_.mesh().inverse_mass;
   const Vec3 apart = weighed(contact.pair, contact.weights, places);
   const double depth = contact.gap - apart.dot(contact.normal);
@@ -161,6 +177,8 @@ bool FaceContacts::push(const Contact& contact, std::vector<Vec3>& places) const
   for (std::size_t k = 0; k < 4; ++k) {
     const std::uint32_t node = contact.pair.nodes[k];
     places[node] += (inverse_mass[node] * contact.weights[k] / sum) * change;
+    if (inverse_mass[node] == 0.0)
+      impulse_way_ -= contact.weights[k] / sum * change.dot(end_[node] - start_[node]);
   }
   return true;
 }
@@ -172,10 +190,11 @@ void FaceContacts::put(Vectors& position) const {
 }
 
 void FaceContacts::solve(Vectors& position) {
-  if (contacts_.empty()) return;
+  if (std::ranges::all_of(contacts_, &std::vector<Contact>::empty)) return;
   search_.mesh().places(position, end_time_, end_);
   bool pushed = false;
-  for (const Contact& contact : contacts_) pushed = push(contact, end_) || pushed;
+  for (const std::vector<Contact>& contacts : contacts_)
+    for (const Contact& contact : contacts) pushed = push(contact, end_) || pushed;
   if (!pushed) return;
   touched_ = true;
   put(position);
@@ -187,9 +206,23 @@ FaceMeeting FaceContacts::meeting(std::size_t pair) {
   return first_meeting(which, start_, end_, distance_at_start(pair), stop(pair));
 }
 
+// As many as there are where none does. Most steps end with that.
+std::size_t FaceContacts::first_that_meets() {
+  std::array<std::size_t, most_sections> first{};
+  first.fill(search_.pairs().size());
+  run_jobs(workers_.get(), sections(), [&](std::size_t section) {
+    const std::size_t end = section_begin(section + 1);
+    std::size_t pair = section_begin(section);
+    while (pair < end && !meeting(pair).met) ++pair;
+    if (pair < end) first.at(section) = pair;
+  });
+  return *std::ranges::min_element(first);
+}
+
+// One push may lead to another meeting further on: so pairs are gone through one by one.
 bool FaceContacts::push_apart_what_meets() {
   bool any = false;
-  for (std::size_t pair = 0; pair < search_.pairs().size(); ++pair) {
+  for (std::size_t pair = first_that_meets(); pair < search_.pairs().size(); ++pair) {
     const FaceMeeting met = meeting(pair);
     if (!met.met) continue;
     any = true;
@@ -218,7 +251,11 @@ bool FaceContacts::lift_from_ground() {
       if (!under(ground, node)) continue;
       any = true;
       const double wanted = std::min(search_.mesh().radius[node], height_above(ground.start, start_[node]));
-      end_[node] += (wanted - height_above(ground.end, end_[node])) * ground.end.normal;
+      const Vec3 lift = (wanted - height_above(ground.end, end_[node])) * ground.end.normal;
+      if (ground.collider->motion)
+        impulse_way_ += lift.dot(end_[node] - ground.from.place(ground.to.back(end_[node]))) /
+                        search_.mesh().inverse_mass[node];
+      end_[node] += lift;
     }
   return any;
 }
@@ -242,7 +279,9 @@ class FaceContacts::Clusters {
     return unite(node, mesh_.size() + static_cast<std::uint32_t>(ground));
   }
 
-  void move(const std::vector<Ground>& grounds, const std::vector<Vec3>& start, std::vector<Vec3>& end) {
+  // Gives what those that are held have done (kg m²): Σ impulse × h · way.
+  double move(const std::vector<Ground>& grounds, const std::vector<Vec3>& start, std::vector<Vec3>& end) {
+    double done = 0.0;
     ways_.assign(leader_.size(), Way{});
     for (std::uint32_t node = 0; node < mesh_.size(); ++node) {
       const Vec3 moved = end[node] - start[node];
@@ -256,8 +295,11 @@ class FaceContacts::Clusters {
     for (std::uint32_t node = 0; node < mesh_.mass.size(); ++node) {
       const Way& way = ways_[leader(node)];
       if (way.count < 2 || mesh_.inverse_mass[node] == 0.0) continue;
-      end[node] = start[node] + (way.held ? way.of_held : Vec3(way.momentum / way.mass));
+      const Vec3 goes = start[node] + (way.held ? way.of_held : Vec3(way.momentum / way.mass));
+      if (way.held) done += (goes - end[node]).dot(way.of_held) * model_.masses.mass[mesh_.mass[node]];
+      end[node] = goes;
     }
+    return done;
   }
 
  private:
@@ -310,7 +352,7 @@ bool FaceContacts::hold_together() {
       }
     if (!met) return true;
     if (!grown) return false;
-    clusters.move(grounds_, start_, end_);
+    impulse_way_ += clusters.move(grounds_, start_, end_);
     find_pairs(false);
   }
 }

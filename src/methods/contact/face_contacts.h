@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "contact/face_search.h"
@@ -10,12 +12,14 @@
 
 namespace taut {
 
-/// Contact of a model's faces with one another and with the edges, corners and balls of solids, for methods
+/// Contact of a model's faces with one another, with masses that are balls, and with the edges, corners and
+/// balls of solids, for methods
 /// that move positions and derive velocities from them. It remembers nothing from step to step. See
 /// face_contacts.cpp.
 class FaceContacts {
  public:
-  explicit FaceContacts(const Model& model);
+  /// `workers` share what looks at pairs without moving anything; null: this thread alone.
+  FaceContacts(const Model& model, const std::shared_ptr<Workers>& workers);
 
   /// Whether the model has no faces.
   bool none() const { return none_; }
@@ -37,6 +41,9 @@ class FaceContacts {
   /// Whether any have touched in this step.
   bool touched() const { return touched_; }
 
+  /// What solids that move, and pins that are moved, have done to faces in this step of h seconds (J).
+  double work(double h) const { return impulse_way_ / (h * h); }
+
  private:
   // What keeps a pair apart: Σ weightₖ xₖ·normal ≥ gap.
   struct Contact {
@@ -51,15 +58,20 @@ class FaceContacts {
   struct Ground {
     const Collider* collider = nullptr;
     HalfSpace start, end;
+    Placement from{}, to{};  // where it moves
   };
   class Clusters;
+  static constexpr std::size_t most_sections = 16;
 
   void find_pairs(bool from_new_start);
   Contact contact_at(const FacePair& pair, const FaceGap& gap) const;
-  void prepare(std::size_t pair);
+  std::size_t sections() const;
+  std::size_t section_begin(std::size_t section) const;
+  void prepare(std::size_t pair, std::vector<Contact>& contacts);
+  std::size_t first_that_meets();
   double distance_at_start(std::size_t pair);
   double stop(std::size_t pair);
-  bool push(const Contact& contact, std::vector<Vec3>& places) const;
+  bool push(const Contact& contact, std::vector<Vec3>& places);
   void put(Vectors& position) const;
   FaceMeeting meeting(std::size_t pair);
   bool push_apart_what_meets();
@@ -73,8 +85,11 @@ class FaceContacts {
   std::vector<Ground> grounds_;
   std::vector<Vec3> start_, end_;          // m, of the nodes
   std::vector<double> distance_at_start_;  // m, of each pair of the search, where it was asked for
-  std::vector<Contact> contacts_;
-  double end_time_ = 0.0;  // s
+  // Pairs in sections, which threads look at each by itself; the contacts of each.
+  std::shared_ptr<Workers> workers_;
+  std::array<std::vector<Contact>, most_sections> contacts_;
+  double end_time_ = 0.0;     // s
+  double impulse_way_ = 0.0;  // kg m²: Σ impulse × h · way of what is moved as prescribed
   bool finite_ = true, touched_ = false;
 };
 

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace taut {
 
-FaceSearch::FaceSearch(const Model& model) : model_(model), mesh_(model) {}
+FaceSearch::FaceSearch(const Model& model, std::shared_ptr<Workers> workers)
+    : model_(model), mesh_(model), workers_(std::move(workers)) {}
 
 void FaceSearch::links_changed(const State& state) {
   whole_ = whole_faces(mesh_, model_, state.broken_at);
@@ -42,9 +44,10 @@ double FaceSearch::least_distance(const FacePair& pair) const {
 }
 
 // What a node is given beyond its way in this step: more makes searches rarer, and pairs more. Nodes of
-// solids are few, but for those of meshes, and may be what all rooms move away from.
+// solids and balls are few, but for those of meshes, and may be what all rooms move away from.
 double FaceSearch::slack_of(std::uint32_t node) const {
-  constexpr double slack = 0.5, of_solids = 8.0, of_meshes = 3.0;  // half thicknesses
+  constexpr double slack = 0.5, of_balls = 2.0, of_solids = 8.0, of_meshes = 3.0;  // half thicknesses
+  if (mesh_.is_ball(node)) return of_balls * mesh_.radius.front();
   if (!mesh_.of_solid(node)) return slack * mesh_.radius[node];
   const bool is_mesh = std::holds_alternative<MeshSolid>(mesh_.groups[mesh_.group[node]].solid->shape);
   return (is_mesh ? of_meshes : of_solids) * mesh_.radius.front();
@@ -61,7 +64,8 @@ bool FaceSearch::cover(const std::vector<Vec3>& start, const std::vector<Vec3>& 
     middles_[i] = 0.5 * (start[i] + seen_end);
     rooms_[i] = round_up * (0.5 * (seen_end - start[i]).norm() + slack_of(i));
   }
-  find_face_pairs(mesh_, whole_, middles_, rooms_, std::numeric_limits<std::size_t>::max(), pairs_);
+  search_.find(mesh_, whole_, middles_, rooms_, std::numeric_limits<std::size_t>::max(), workers_.get(),
+               pairs_);
   covers(start, end);
   return true;
 }

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
-#include "model/face_pairs.h"
+#include "base/workers.h"
+#include "model/face_pair_search.h"
 #include "model/state.h"
 
 namespace taut {
@@ -13,7 +15,8 @@ namespace taut {
 /// user.
 class FaceSearch {
  public:
-  explicit FaceSearch(const Model& model);
+  /// `workers` share the search; null: this thread alone.
+  FaceSearch(const Model& model, std::shared_ptr<Workers> workers);
 
   const FaceMesh& mesh() const { return mesh_; }
   const WholeFaces& whole() const { return whole_; }
@@ -40,6 +43,8 @@ class FaceSearch {
   const Model& model_;
   FaceMesh mesh_;
   WholeFaces whole_;
+  std::shared_ptr<Workers> workers_;
+  FacePairSearch search_;
   std::vector<FacePair> pairs_;
   // All rooms move on together, as sheets do in the mean: a way that all go alone changes no distance.
   Vec3 room_way_ = Vec3::Zero();    // m, in this step …

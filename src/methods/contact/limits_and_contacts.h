@@ -3,6 +3,7 @@
 #include "contact/body_contacts.h"
 #include "contact/contact_solver.h"
 #include "contact/face_contacts.h"
+#include "methods/method.h"
 #include "relax/bend_solver.h"
 #include "relax/limit_solver.h"
 
@@ -12,11 +13,11 @@ namespace taut {
 /// bodies that touch, faces, solids, and the ground.
 class LimitsAndContacts {
  public:
-  explicit LimitsAndContacts(const Model& model)
+  LimitsAndContacts(const Model& model, const Execution& execution)
       : bends_(model),
         limits_(model),
         bodies_(model),
-        faces_(model),
+        faces_(model, execution.workers),
         contacts_(model),
         none_(model.limits.empty() && model.contacts.empty() && model.bends.empty() && model.faces.empty()) {
     for (const Collider& collider : model.colliders) rebounds_ = rebounds_ || collider.restitution > 0.0;
@@ -67,9 +68,12 @@ class LimitsAndContacts {
   }
 
   /// Once velocities have been derived from positions.
-  void rebound(double h, const Vectors& position, Vectors& velocity) const {
+  void rebound(double h, const Vectors& position, Vectors& velocity) {
     contacts_.rebound(h, position, velocity);
   }
+
+  /// StepReport::contact_work of a step of h seconds, once all that is done.
+  double contact_work(double h) const { return bodies_.work(h) + faces_.work(h) + contacts_.work(h); }
 
   /// Once the step has been made.
   void keep(State& state) const {

@@ -1,14 +1,16 @@
-// Backward Euler for links in nets. With x̃ the positions that a step would reach without links, M the masses
-// times 1 + h·drag, and every quantity times h²:
+// Backward Euler for links in nets, and for bends. With x̃ the positions that a step would reach without
+// links, M the masses times 1 + h·drag, and every quantity times h²:
 //
-//   F = M (x − x̃) + Σ λ n = 0        at each mass, the sum over its links, n away from the link's other end
+//   F = M (x − x̃) + Σ λ n + Σ k (φ − φ₀) ∇φ = 0
+//                    at each mass, the sums over its links and bends, n away from the link's other end
 //   hard links:  r = |d| − l − α̃ λ + γ n·(d − d₀) = 0,    α̃ = α/h²,  γ = α c/h
 //   soft links:  λ = h² [k (|d| − l) + c n·(d − d₀)/h]
 //
 // Newton's method on both, with the multipliers of the hard links as unknowns of their own:
 //
 //   [H   Jᵀ ] [Δx]     [F        ]       H = M + Σ soft (h² k + h c) n nᵀ + Σ max(0, λ)/|d| (I − n nᵀ)
-//   [J  −D  ] [Δλ] = − [r/(1 + γ)]       D = α̃/(1 + γ)
+//   [J  −D  ] [Δλ] = − [r/(1 + γ)]           + what is positive of the bends' stiffness (implicit_bends.cpp)
+//                                        D = α̃/(1 + γ)
 //
 // The last part of H is the sideways stiffness of tension, without which a taut net never comes to rest under
 // long steps; a pushed link's is negative and left out, which costs rounds and keeps H positive definite
@@ -18,11 +20,16 @@
 // (J B⁻¹ Jᵀ + D), one direct solve of the hard links. Every iterate keeps J Δx − D Δλ exact, so lengths
 // converge as Newton's method does, and the curvature and the soft links, which only make H a little unlike
 // B, cost a few iterations instead of rows.
+//
+// Bends are stiff far along chains (the stiffest turns of neighbours against each other are harder than the
+// softest turn of a whole rod by the fourth power of how many links it has), so that they take too many
+// iterations: with them the system is factorised as a whole (balance_matrix.h).
 
 #include "direct/implicit_net.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/vector_operations.h"
 #include "direct/newton_rounds.h"
@@ -45,6 +52,10 @@ constexpr double longest_short_step = 1.0 / 240.0;  // s
 // does not settle. After so many rounds it is given up and only lengths are brought to their end, as in fast
 // projection.
 constexpr int rounds_to_balance = 8;
+// Where the system is factorised as a whole, of a link's weight, what it gives way by if it is rigid: so
+// little that a round brings lengths a hundred million times nearer, and enough for pivots not to be
+// rounding.
+constexpr double give_way = 1e-8;
 // The share of a mass that the negative stiffness of its pushed links may take.
 constexpr double most_push = 0.8;
 
@@ -65,8 +76,12 @@ void weigh(const std::vector<double>& weights, const Vectors& a, Vectors& result
 
 }  // namespace
 
-ImplicitNet::ImplicitNet(const Model& model, const std::vector<Index>& whole, double h)
-    : model_(model), inertia_(model.masses.size(), 0.0), mass_(model.masses.size(), 0.0) {
+ImplicitNet::ImplicitNet(const Model& model, const std::vector<Index>& whole, std::vector<Bend> bends,
+                         double h)
+    : model_(model),
+      bends_(std::move(bends)),
+      inertia_(model.masses.size(), 0.0),
+      mass_(model.masses.size(), 0.0) {
   std::vector<Index> hard, soft;
   for (const Index link : whole) {
     const double weight =
@@ -91,6 +106,7 @@ ImplicitNet::ImplicitNet(const Model& model, const std::vector<Index>& whole, do
   preconditioner_ = make_link_system(heavier, hard);
 
   hard_ = hard.size();
+  if (!bends_.empty()) whole_.emplace(model, hard_);
   std::vector<Index> ordered = preconditioner_.links.link;
   ordered.insert(ordered.end(), soft.begin(), soft.end());
   links_ = gather(model, ordered);
@@ -112,7 +128,7 @@ bool ImplicitNet::solve(const Vectors& start, double h, Vectors& position, std::
     measure(position, h);
     const double error = worst_length_error(report);
     if (report.status != StepStatus::done) return false;
-    const bool seek_balance = round < rounds_to_balance;
+    const bool seek_balance = whole_ || round < rounds_to_balance;
     const double close_enough = std::min(
         balance * shortest, balance_of_forces * std::min(1.0, h / longest_short_step) * largest_move(h));
     const double closest = std::max(close_enough, 0.1 * tolerance_ * shortest);
@@ -122,16 +138,17 @@ bool ImplicitNet::solve(const Vectors& start, double h, Vectors& position, std::
     }
     if (round >= rounds_to_settle && error > settled_error) break;
     // The linear system of an earlier round will do while lengths still gain enough by it.
-    if (round == 0 || error > 0.1 * last_error) {
+    if (round == 0 || error > 0.1 * last_error || whole_) {
       linearise(h);
       ++report.factorisations;
-      if (hard_ > 0 && !preconditioner_.matrix->factor(axis_, axis_, diagonal_)) {
+      if (!factor(position, h)) {
         report.status = StepStatus::factorisation_failed;
         return false;
       }
     }
     last_error = error;
-    report.link_solves += solve_linear(seek_balance) * static_cast<std::int64_t>(links_.size());
+    report.link_solves +=
+        (whole_ ? solve_whole() : solve_linear(seek_balance)) * static_cast<std::int64_t>(links_.size());
     report.rounds += 1;
     add_scaled(position, 1.0, change_.mass, position);
     for (std::size_t i = 0; i < hard_; ++i) pull_[i] += change_.links[i];
@@ -171,6 +188,7 @@ void ImplicitNet::measure(const Vectors& position, double h) {
   scaled_difference(1.0, position, inertial_, imbalance_);
   weigh(mass_, imbalance_, imbalance_);
   spread(direction_, 1.0, pull_, imbalance_);
+  bends_.add_gradient(h, position, imbalance_);
 }
 
 // The largest |r|/l of a hard link.
@@ -230,6 +248,40 @@ void ImplicitNet::limit_push() {
     push_[mass] = mass_[mass] == 0.0 ? 1.0 : std::min(1.0, most_push * mass_[mass] / push_[mass]);
   for (std::size_t i = 0; i < links_.size(); ++i)
     if (across_[i] < 0.0) across_[i] *= std::min(push_[links_.a[i]], push_[links_.b[i]]);
+}
+
+// What the linear system is solved by: the whole of it where there are bends, else its preconditioner.
+bool ImplicitNet::factor(const Vectors& position, double h) {
+  if (whole_) return factor_whole(position, h);
+  return hard_ == 0 || preconditioner_.matrix->factor(axis_, axis_, diagonal_);
+}
+
+bool ImplicitNet::factor_whole(const Vectors& position, double h) {
+  using Eigen::Matrix3d;
+  whole_->clear();
+  for (const Index mass : free_) whole_->add(mass, mass, mass_[mass] * Matrix3d::Identity());
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    const Index a = links_.a[i], b = links_.b[i];
+    const Vec3 n = axis_.at(i);
+    const Matrix3d block = across_[i] * Matrix3d::Identity() + (along_[i] - across_[i]) * (n * n.transpose());
+    whole_->add(a, a, block);
+    whole_->add(b, b, block);
+    whole_->add(a, b, -block);
+    if (i < hard_)
+      whole_->set_link(i, a, b, n, diagonal_[i] + give_way * (links_.weight_a[i] + links_.weight_b[i]));
+  }
+  bends_.add_stiffness(h, position, *whole_);
+  return whole_->factor();
+}
+
+// −(F, r/(1 + γ)), and the change that it makes; returns that this was done once.
+std::int64_t ImplicitNet::solve_whole() {
+  change_.mass = imbalance_;
+  for (auto* axis : {&change_.mass.x, &change_.mass.y, &change_.mass.z}) all_of(*axis) = -all_of(*axis);
+  change_.links.resize(hard_);
+  for (std::size_t i = 0; i < hard_; ++i) change_.links[i] = -length_error_[i] * scale_[i];
+  whole_->solve(change_.mass, change_.links);
+  return 1;
 }
 
 // Solves the linear system for the change of positions and multipliers; returns the iterations.

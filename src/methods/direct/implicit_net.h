@@ -1,20 +1,22 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "direct/implicit_bends.h"
 #include "direct/link_system.h"
 #include "methods/method.h"
 
 namespace taut {
 
-/// Backward Euler for links in nets: finds positions and tensions that balance at the end of the step, to the
-/// last digit in the lengths.
+/// Backward Euler for links in nets and for bends: finds positions and tensions that balance at the end of
+/// the step, to the last digit in the lengths.
 class ImplicitNet {
  public:
-  /// For the given whole links. Which links are hard (solved by multipliers) and which soft (forces in the
-  /// masses' matrix) is decided for steps of h seconds; shorter ones may be asked for.
-  ImplicitNet(const Model& model, const std::vector<Index>& whole, double h);
+  /// For the given whole links and bends. Which links are hard (solved by multipliers) and which soft (forces
+  /// in the masses' matrix) is decided for steps of h seconds; shorter ones may be asked for.
+  ImplicitNet(const Model& model, const std::vector<Index>& whole, std::vector<Bend> bends, double h);
 
   /// Moves `position`, where the masses would be at the end of a step of h seconds from `start` without
   /// links, to where the links allow. `tension` (N) holds the tensions at the start of the step and takes
@@ -36,6 +38,9 @@ class ImplicitNet {
   double largest_move(double h) const;
   void linearise(double h);
   void limit_push();
+  bool factor(const Vectors& position, double h);
+  bool factor_whole(const Vectors& position, double h);
+  std::int64_t solve_whole();
   std::int64_t solve_linear(bool seek_balance);
   void precondition(const std::vector<double>& lengths, Pair& answer);
   void multiply(const Pair& change, Vectors& force) const;
@@ -43,6 +48,8 @@ class ImplicitNet {
   double inertia_square(const Vectors& change) const;
 
   const Model& model_;
+  ImplicitBends bends_;
+  std::optional<BalanceMatrix> whole_;   // of the linear system, where there are bends
   SystemLinks links_;                    // hard ones in the order of their matrix, then soft ones
   std::size_t hard_ = 0;                 // how many of them are hard
   LinkSystem preconditioner_;            // the hard links, between masses of inertia_

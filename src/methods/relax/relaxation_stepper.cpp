@@ -21,7 +21,7 @@ class RelaxationStepper final : public FileOrderStepper {
         kicks_(kicks),
         passes_(model, passes),
         links_(model, execution),
-        limits_and_contacts_(model),
+        limits_and_contacts_(model, execution),
         joints_(model) {}
 
  private:
@@ -65,6 +65,7 @@ class RelaxationStepper final : public FileOrderStepper {
     }
     limits_and_contacts_.keep(state);
     joints_.keep(start_, state);
+    report.contact_work = limits_and_contacts_.contact_work(h);
     const double scale = -1.0 / (h * (whole ? h : state.unanswered_kick + 0.5 * h));
     links_.give_multipliers(scale, state.tension);
     limits_and_contacts_.give_tensions(scale, state.tension);

@@ -30,7 +30,7 @@ std::string_view csv_header(ExportTable table) {
     case ExportTable::orientations:
       return "frame,time,mass,name,qw,qx,qy,qz\n";
     case ExportTable::energy:
-      return "frame,time,kinetic,potential,elastic,total,pin_work,load_work,broken_energy\n";
+      return "frame,time,kinetic,potential,elastic,total,pin_work,load_work,contact_work,broken_energy\n";
     case ExportTable::usual:
     case ExportTable::masses:
       break;
@@ -80,13 +80,13 @@ std::string orientation_rows(const Model& model, const State& start, const Expor
   return rows;
 }
 
-// A line an instant (J): what there is, and what pins, loads and broken links have given and taken until
-// then.
+// A line an instant (J): what there is, and what pins, loads, solids and broken links have given and taken
+// until then.
 std::string energy_rows(const ExportMoment& moment) {
   const RunMeasures& now = *moment.measures;
-  return fmt::format("{},{},{},{},{},{},{},{},{}\n", moment.frame, moment.state.time, now.energy.kinetic,
+  return fmt::format("{},{},{},{},{},{},{},{},{},{}\n", moment.frame, moment.state.time, now.energy.kinetic,
                      now.energy.potential, now.energy.elastic, now.energy.total(), now.pin_work,
-                     now.load_work, now.broken_energy);
+                     now.load_work, now.contact_work, now.broken_energy);
 }
 
 // RFC 4180; SI, and every number with as many digits as tell it from its neighbours.

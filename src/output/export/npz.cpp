@@ -136,8 +136,8 @@ class NpzExport : public MotionExport {
       orientation_ = grows("orientation", "<f8", fmt::format(" {}, 4", masses));
     }
     if (subject.table == ExportTable::energy)
-      for (const char* name :
-           {"kinetic", "potential", "elastic", "total", "pin_work", "load_work", "broken_energy"})
+      for (const char* name : {"kinetic", "potential", "elastic", "total", "pin_work", "load_work",
+                               "contact_work", "broken_energy"})
         energies_.push_back(grows(name, "<f8", ""));
   }
 
@@ -234,7 +234,7 @@ class NpzExport : public MotionExport {
 
   void put_energies(const RunMeasures& now) {
     const std::array values{now.energy.kinetic, now.energy.potential, now.energy.elastic, now.energy.total(),
-                            now.pin_work,       now.load_work,        now.broken_energy};
+                            now.pin_work,       now.load_work,        now.contact_work,   now.broken_energy};
     for (std::size_t i = 0; i < values.size(); ++i)
       put(energies_[i], [&](std::string& bytes) { append_bytes(values.at(i), bytes); });
   }

@@ -2,7 +2,9 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
+#include <new>
 #include <thread>
 #include <vector>
 
@@ -55,5 +57,25 @@ class Workers {
   Clock::duration time_together_{}, time_alone_{};
   std::vector<std::thread> threads_;
 };
+
+/// Calls job(0) … job(jobs − 1), each once, in any threads and any order: where there are no workers, in this
+/// one. What a job finds too little memory for is thrown here.
+template <class Job>
+void run_jobs(Workers* workers, std::size_t jobs, const Job& job) {
+  if (workers == nullptr || workers->count() == 1 || jobs < 2) {
+    for (std::size_t i = 0; i < jobs; ++i) job(i);
+    return;
+  }
+  std::atomic<std::size_t> next{0};
+  std::atomic<bool> no_memory{false};
+  workers->run([&](int) {
+    try {
+      for (std::size_t i = next++; i < jobs; i = next++) job(i);
+    } catch (const std::bad_alloc&) {
+      no_memory = true;
+    }
+  });
+  if (no_memory) throw std::bad_alloc();
+}
 
 }  // namespace taut

@@ -127,6 +127,9 @@ struct StepReport {
   std::int64_t factorisations = 0;
   std::int64_t halvings = 0;
   std::int64_t breaks = 0;  ///< links broken by the step itself
+  /// J, of this step alone: what solids that move, and pins that are moved, did by pushing and rubbing what
+  /// touches them.
+  double contact_work = 0.0;
 
   /// Adds another step's counts, and takes over its status and worst link.
   void add(const StepReport& other);

@@ -41,14 +41,31 @@ class BoxTree {
   /// Calls visit(i, j), i < j, once for each pair of its boxes that meet.
   template <class Visit>
   void visit_pairs(const Visit& visit) const {
-    if (!boxes_.empty()) visit_within(1, visit);
+    visit_pairs(0, 1, visit);
+  }
+  /// The same for those whose first box is in one of several sections, that follow each other in the list.
+  template <class Visit>
+  void visit_pairs(std::size_t section, std::size_t sections, const Visit& visit) const {
+    if (boxes_.empty()) return;
+    visit_within(sections + section, visit);
+    for (std::size_t later = section + 1; later < sections; ++later)
+      visit_between(sections + section, *this, sections + later, visit);
   }
 
   /// Calls visit(i, j) once for each box i of this tree and each j of another that meet.
   template <class Visit>
   void visit_pairs(const BoxTree& other, const Visit& visit) const {
-    if (!boxes_.empty() && !other.boxes_.empty()) visit_between(1, other, 1, visit);
+    visit_pairs(0, 1, other, visit);
   }
+  /// The same for those whose first box is in a section of this tree.
+  template <class Visit>
+  void visit_pairs(std::size_t section, std::size_t sections, const BoxTree& other,
+                   const Visit& visit) const {
+    if (!boxes_.empty() && !other.boxes_.empty()) visit_between(sections + section, other, 1, visit);
+  }
+
+  /// Into how many sections it can be cut: at most so many, a power of two.
+  std::size_t sections(std::size_t most) const { return std::min(most, leaves_); }
 
  private:
   static constexpr std::size_t in_leaf = 4;

@@ -78,6 +78,9 @@ std::optional<Surface> surface_on_way(const Shape& shape, const Vec3& from, cons
 
 inline constexpr Index no_body = std::numeric_limits<Index>::max();
 
+/// Coulomb's coefficient between bodies that touch.
+inline constexpr double body_friction = 0.8;
+
 /// How far apart (m) bodies may be to be watched for contact.
 inline constexpr double contact_margin = 0.02;
 
@@ -90,6 +93,12 @@ struct ContactPoint {
   bool static_friction = false;     ///< remembers where it sticks; see StaticFriction
   bool of_faces = false;            ///< a corner of faces that touch; see SheetFaces
 };
+
+/// Whether a contact point is a single mass that touches other bodies as a ball, the faces of sheets among
+/// them.
+inline bool is_ball(const ContactPoint& point) {
+  return point.body != no_body && point.weights[0] == 1.0 && !point.of_faces;
+}
 
 /// What a contact point has of its masses' positions, or velocities.
 inline Vec3 value_at(const ContactPoint& point, const Vectors& of) {

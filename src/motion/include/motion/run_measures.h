@@ -21,9 +21,11 @@ struct RunMeasures {
   Energy energy_at_start, energy;
   double pin_work = 0.0;       ///< J
   double load_work = 0.0;      ///< J
+  double contact_work = 0.0;   ///< J
   double broken_energy = 0.0;  ///< J
-  double energy_error =
-      0.0;  ///< (gain − pin work − load work + broken energy) over the energy scale; drag counts as error
+  /// (gain − pin work − load work − contact work + broken energy) over the energy scale; what drag and
+  /// friction take counts as error.
+  double energy_error = 0.0;
   Vec3 linear_momentum = Vec3::Zero();   ///< kg m/s
   Vec3 angular_momentum = Vec3::Zero();  ///< kg m²/s
   double sag = 0.0;                      ///< m

@@ -12,16 +12,18 @@ namespace taut {
 struct Work {
   double pins = 0.0;         ///< by driven pins on the masses
   double loads = 0.0;        ///< by loads
+  double contacts = 0.0;     ///< by solids that move, and by pins that are moved, on what touches them
   double broken = 0.0;       ///< elastic energy that went with broken links
   double throughput = 0.0;   ///< sum of the sizes of all the work above, step by step
   double fastest_pin = 0.0;  ///< m/s, the most that any pin has moved with
 
   /// What the total energy should have gained.
-  double expected_gain() const { return pins + loads - broken; }
+  double expected_gain() const { return pins + loads + contacts - broken; }
 };
 
-/// Adds up, step by step, the energy that a run gains and loses through its pins, its loads and its broken
-/// links, so that what remains is the method's own error. Drag's loss and the wind's gift are not counted.
+/// Adds up, step by step, the energy that a run gains and loses through its pins, its loads, its solids that
+/// move and its broken links, so that what remains is what drag and friction take, what wind gives, and the
+/// method's own error.
 class WorkLedger {
  public:
   /// Goes on from a state, with what was done until then.
@@ -45,6 +47,9 @@ class WorkLedger {
   /// two, the last at its end. The sums over all, every second, every fourth … of them are extrapolated
   /// (Romberg).
   void record(const std::vector<State>& states);
+
+  /// To be called after every step with its StepReport::contact_work.
+  void add_contacts(double work);
 
   const Work& work() const { return work_; }
 
