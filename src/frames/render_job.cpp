@@ -133,9 +133,9 @@ std::vector<int> RenderJob::done_before() const {
 }
 
 std::size_t RenderJob::to_draw() const {
-  const auto lacking =
-      std::ranges::count_if(frames, [&](int frame) { return !folder || !folder->has(frame); });
-  return film.make && !only_film ? frames.size() - done_before().size() : static_cast<std::size_t>(lacking);
+  if (film.make) return frames.size() - done_before().size();
+  return static_cast<std::size_t>(
+      std::ranges::count_if(frames, [&](int frame) { return folder && !folder->has(frame); }));
 }
 
 const Manifest* RenderJob::known() const {

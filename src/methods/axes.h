@@ -1,19 +1,16 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 
 #include "base/vectors.h"
 
 namespace taut {
 
-/// Where the coordinates of vectors lie that follow each other, for kernels to read …
-struct AxesToRead {
-  const double *x, *y, *z;
-};
+/// Where the x, y and z of vectors lie that follow each other, for kernels to read …
+using AxesToRead = std::array<const double*, 3>;
 /// … and to write.
-struct AxesToWrite {
-  double *x, *y, *z;
-};
+using AxesToWrite = std::array<double*, 3>;
 
 /// Those of vectors from one of them on.
 inline AxesToRead to_read(const Vectors& vectors, std::size_t begin = 0) {

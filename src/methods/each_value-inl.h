@@ -9,11 +9,11 @@
 
 #include <hwy/highway.h>
 
+#include <array>
 #include <cstddef>
 
-// A lambda that is part of the loop it stands in.
-#undef TAUT_INLINED
-#define TAUT_INLINED HWY_ATTR __attribute__((always_inline))
+#include "axes.h"
+#include "inlined.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace taut::HWY_NAMESPACE {
@@ -37,15 +37,15 @@ struct Three {
   V x, y, z;
 };
 
-template <class D, class Axes>
-HWY_INLINE Three<hn::Vec<D>> load_three(D tag, const Axes& from, std::size_t i) {
-  return {hn::LoadU(tag, from.x + i), hn::LoadU(tag, from.y + i), hn::LoadU(tag, from.z + i)};
+template <class D, class Number>
+HWY_INLINE Three<hn::Vec<D>> load_three(D tag, const std::array<Number*, 3>& from, std::size_t i) {
+  return {hn::LoadU(tag, from[0] + i), hn::LoadU(tag, from[1] + i), hn::LoadU(tag, from[2] + i)};
 }
-template <class D, class V, class Axes>
-HWY_INLINE void store_three(D tag, const Three<V>& values, const Axes& to, std::size_t i) {
-  hn::StoreU(values.x, tag, to.x + i);
-  hn::StoreU(values.y, tag, to.y + i);
-  hn::StoreU(values.z, tag, to.z + i);
+template <class D, class V>
+HWY_INLINE void store_three(D tag, const Three<V>& values, const AxesToWrite& to, std::size_t i) {
+  hn::StoreU(values.x, tag, to[0] + i);
+  hn::StoreU(values.y, tag, to[1] + i);
+  hn::StoreU(values.z, tag, to[2] + i);
 }
 template <class V>
 HWY_INLINE Three<V> difference(const Three<V>& a, const Three<V>& b) {

@@ -26,6 +26,11 @@ Ran run_program(const std::string& program, const std::vector<std::string>& argu
 Ran taut(const std::vector<std::string>& arguments, const Environment& environment = {},
          const std::filesystem::path& folder = {});
 
+/// For a shell: waits until the process $process listens to SIGINT and SIGTERM, or is gone.
+inline const std::string until_it_listens =
+    "until grep -Eq '^SigCgt:.*[4567c-f]..[2367abef]$' /proc/$process/status\n"
+    "do kill -0 $process || break; sleep 0.02; done\n";
+
 /// A scene with one swinging mass that is quick to simulate and to draw: one second long.
 std::string small_scene();
 

@@ -40,11 +40,7 @@ class QuietTest : public ::testing::Test {
     for (const std::string& word : more) words += " '" + word + "'";
     const std::string script = "'" TAUT_PROGRAM "' " + verb + " '" + scene_ +
                                "' --quiet --set world.duration=3600 --set steps_per_second=10000" + words +
-                               " & process=$!\n"
-                               // SIGINT and SIGTERM are among the signals that it catches.
-                               "until grep -Eq '^SigCgt:.*[4567c-f]..[2367abef]$' /proc/$process/status\n"
-                               "do kill -0 $process || break; sleep 0.02; done\n"
-                               "kill -INT $process; wait $process";
+                               " & process=$!\n" + until_it_listens + "kill -INT $process; wait $process";
     return run_program("/bin/sh", {"-c", script});
   }
 

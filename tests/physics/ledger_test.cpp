@@ -1,6 +1,7 @@
 #include <array>
 #include <numbers>
 
+#include "bat.h"
 #include "face_scenes.h"
 #include "fixtures.h"
 #include "model/measures.h"
@@ -105,14 +106,7 @@ TEST(WorkLedger, APlaneThatRisesPaysForTheBallThatItLifts) {
 }
 
 TEST(WorkLedger, ABatPaysForWhatItThrowsOff) {
-  Description description;
-  description.gravity = Vec3::Zero();
-  SphereSpec bat;
-  bat.centre = {-2, 0, 0};
-  bat.radius = 0.5;
-  bat.restitution = 0.6;
-  bat.moves.motion.path = {{0, {-2, 0, 0}}, {1, {-1, 0, 0}}, {2, {0, 0, 0}}, {3, {1, 0, 0}}, {4, {2, 0, 0}}};
-  description.spheres = {bat};
+  Description description = flying_bat();
   description.masses = {ball_of(2.0, {0.5, 0.0, 0.0})};
   const Built built = build_valid(description);
   for (const std::string method : pushers) {

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <string>
 
+#include "bat.h"
 #include "fixtures.h"
 #include "model/measures.h"
 
@@ -111,14 +112,7 @@ TEST(MovingSolids, ATurningPlateCarriesRound) {
 
 // A wall that comes at speed w throws what rests before it off with (1 + e) w.
 TEST(MovingSolids, ReboundIsAsSeenFromTheSolid) {
-  Description description;
-  description.gravity = Vec3::Zero();
-  SphereSpec bat;
-  bat.centre = {-2, 0, 0};
-  bat.radius = 0.5;
-  bat.restitution = 0.6;
-  bat.moves.motion = path({{0, {-2, 0, 0}}, {1, {-1, 0, 0}}, {2, {0, 0, 0}}, {3, {1, 0, 0}}, {4, {2, 0, 0}}});
-  description.spheres = {bat};
+  Description description = flying_bat();
   description.masses = {ball_at({0.5, 0, 0})};
   const Built built = build_valid(description);
   for (const std::string method : movers) {

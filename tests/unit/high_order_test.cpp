@@ -9,15 +9,17 @@
 namespace taut::test {
 namespace {
 
+// Σ w_j c_j^power
+double moment(const dop853::Row& row, int power) {
+  double sum = 0.0;
+  for (std::size_t j = 0; j < dop853::all_stages; ++j) sum += row[j] * std::pow(dop853::nodes[j], power);
+  return sum;
+}
+
 // Σ b_i c_i^(k−1) = 1/k as far as order 8 goes, Σ a_ij = c_i, and in all stages but the first few also
 // Σ a_ij c_j = c_i²/2 and Σ a_ij c_j² = c_i³/3.
 TEST(Tableau, FulfilsItsConditions) {
   using namespace dop853;
-  const auto moment = [](const Row& row, int power) {
-    double sum = 0.0;
-    for (std::size_t j = 0; j < all_stages; ++j) sum += row[j] * std::pow(nodes[j], power);
-    return sum;
-  };
   for (int k = 1; k <= 8; ++k) EXPECT_NEAR(moment(weights[stages], k - 1), 1.0 / k, 4e-15) << k;
   for (std::size_t stage = 1; stage < all_stages; ++stage) {
     EXPECT_NEAR(moment(weights[stage], 0), nodes[stage], 4e-14) << stage;
@@ -36,11 +38,6 @@ TEST(Tableau, FulfilsItsConditions) {
 // 1/(k (k−1)) to order 8, and b̄_i = b_i (1 − c_i).
 TEST(SecondOrder, WeightsOfPositionsFulfilTheirConditions) {
   using namespace dop853;
-  const auto moment = [](const Row& row, int power) {
-    double sum = 0.0;
-    for (std::size_t j = 0; j < all_stages; ++j) sum += row[j] * std::pow(nodes[j], power);
-    return sum;
-  };
   for (std::size_t stage = 2; stage < all_stages; ++stage) {
     const Row row = for_positions(weights[stage]);
     EXPECT_NEAR(moment(row, 0), std::pow(nodes[stage], 2) / 2.0, 4e-14) << stage;

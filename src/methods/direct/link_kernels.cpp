@@ -72,7 +72,7 @@ Misfit measure_lengths_of(const EndsToRead& position, const AxesToRead& start_di
                           const double* squared_length, const double* inverse_square,
                           const AxesToWrite& direction, double* residual) {
   return find_each(position.count, [&](auto tag, auto& found, std::size_t i) TAUT_INLINED {
-    const auto d = position.b.x ? across(tag, position, i) : load_three(tag, position.a, i);
+    const auto d = position.b[0] ? across(tag, position, i) : load_three(tag, position.a, i);
     const auto inverse = hn::LoadU(tag, inverse_square + i);
     const auto misfit =
         hn::Mul(hn::Set(tag, 0.5), hn::Sub(product(d, d), hn::LoadU(tag, squared_length + i)));
@@ -84,7 +84,7 @@ Misfit measure_lengths_of(const EndsToRead& position, const AxesToRead& start_di
 
 Misfit measure_stretches_of(const EndsToRead& position, const LinkStretches& links) {
   return find_each(position.count, [&](auto tag, auto& found, std::size_t i) TAUT_INLINED {
-    const auto d = position.b.x ? across(tag, position, i) : load_three(tag, position.a, i);
+    const auto d = position.b[0] ? across(tag, position, i) : load_three(tag, position.a, i);
     const auto distance = hn::Sqrt(product(d, d));
     const auto stretch = hn::Sub(distance, hn::LoadU(tag, links.length + i));
     store_three(tag, scaled(hn::Div(hn::Set(tag, 1.0), distance), d), links.direction, i);

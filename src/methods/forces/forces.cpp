@@ -9,16 +9,8 @@
 namespace taut {
 namespace {
 
-// What gravity and drag do in so many seconds, and how much of a load's impulse is left of drag.
-struct FieldKick {
-  MassKick kick;
-  double answer;
-};
-
-FieldKick field_kick(const Model& model, double h, DragAt drag_at) {
-  const double answer = drag_at == DragAt::end ? 1.0 / (1.0 + h * model.drag) : 1.0;
-  const double keep = drag_at == DragAt::end ? answer : 1.0 - h * model.drag;
-  return {{model.masses.inverse_mass.data(), keep, model.gravity * (h * answer)}, answer};
+MassKick of_masses(const Model& model, const FieldKick& fields) {
+  return {model.masses.inverse_mass.data(), fields.keep, fields.gain};
 }
 
 // Visits the masses of loads with what a load adds to their velocity in a kick of h seconds.
@@ -64,10 +56,16 @@ void visit_pushes(const Model& model, const State& state, const Vectors& positio
 
 }  // namespace
 
+FieldKick field_kick(const Model& model, double h, DragAt drag_at) {
+  const double answer = drag_at == DragAt::end ? 1.0 / (1.0 + h * model.drag) : 1.0;
+  const double keep = drag_at == DragAt::end ? answer : 1.0 - h * model.drag;
+  return {keep, answer, model.gravity * (h * answer)};
+}
+
 void kick(const Model& model, double load_time, double h, const Vectors& velocity, Vectors& kicked,
           DragAt drag_at) {
   const FieldKick fields = field_kick(model, h, drag_at);
-  kick_masses(velocity.size(), fields.kick, to_read(velocity), to_write(kicked));
+  kick_masses(velocity.size(), of_masses(model, fields), to_read(velocity), to_write(kicked));
   visit_loads(model, load_time, h, fields.answer,
               [&](Index mass, const Vec3& change) { kicked.add(mass, change); });
 }
@@ -75,8 +73,8 @@ void kick(const Model& model, double load_time, double h, const Vectors& velocit
 void kick_and_drift(const Model& model, double load_time, double kick_time, double h, const Vectors& position,
                     const Vectors& velocity, Vectors& kicked, Vectors& moved, DragAt drag_at) {
   const FieldKick fields = field_kick(model, kick_time, drag_at);
-  kick_and_move(velocity.size(), fields.kick, h, to_read(position), to_read(velocity), to_write(kicked),
-                to_write(moved));
+  kick_and_move(velocity.size(), of_masses(model, fields), h, to_read(position), to_read(velocity),
+                to_write(kicked), to_write(moved));
   visit_loads(model, load_time, kick_time, fields.answer, [&](Index mass, const Vec3& change) {
     kicked.add(mass, change);
     moved.set(mass, position.at(mass) + h * kicked.at(mass));
@@ -86,7 +84,8 @@ void kick_and_drift(const Model& model, double load_time, double kick_time, doub
 void mean_velocity_and_kick(const Model& model, double load_time, double kick_time, double h,
                             const Vectors& from, const Vectors& to, Vectors& velocity) {
   const FieldKick fields = field_kick(model, kick_time, DragAt::end);
-  mean_and_kick(velocity.size(), fields.kick, 1.0 / h, to_read(from), to_read(to), to_write(velocity));
+  mean_and_kick(velocity.size(), of_masses(model, fields), 1.0 / h, to_read(from), to_read(to),
+                to_write(velocity));
   for (const DrivenPin& pin : model.driven_pins) velocity.set(pin.mass, velocity_at(pin.motion, load_time));
   visit_loads(model, load_time, kick_time, fields.answer,
               [&](Index mass, const Vec3& change) { velocity.add(mass, change); });

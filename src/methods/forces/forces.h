@@ -15,6 +15,14 @@ enum class DragAt { end, start };
 void kick(const Model& model, double load_time, double h, const Vectors& velocity, Vectors& kicked,
           DragAt drag_at = DragAt::end);
 
+/// What gravity and drag make of a free mass's velocity in a kick: v·keep + gain. `answer` is how much of any
+/// other impulse drag leaves.
+struct FieldKick {
+  double keep = 1.0, answer = 1.0;
+  Vec3 gain = Vec3::Zero();  ///< m/s
+};
+FieldKick field_kick(const Model& model, double h, DragAt drag_at);
+
 /// kick() for `kick_time` seconds and then drift() for h, in one go over the masses; none of the vectors may
 /// be another.
 void kick_and_drift(const Model& model, double load_time, double kick_time, double h, const Vectors& position,

@@ -15,10 +15,7 @@
 #include "high_order/chain_motion.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
-
-#include "direct/link_matrices.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "high_order/chain_motion.cpp"
@@ -26,185 +23,12 @@
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #include <hwy/foreach_target.h>
 // After it, as it asks.
-#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
-#include "high_order/sums-inl.h"
+#include "high_order/chain_elimination-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace taut::HWY_NAMESPACE {
-
-// What links are to be moved for: to be as long as they stay, or as they are, or to stop changing.
-enum class Wanted { acceleration, length, speed };
-
-// What a solve reads and writes: where a link or a mass has the number i, [i].
-struct ChainArrays {
-  const double* coupling;
-  const double* inverse_mass;
-  const double* length;
-  double* direction[3];
-  double* passed;
-  double* multiplier;  // and before, right sides, and what the elimination makes of them
-  double* moved[3];    // accelerations, positions or velocities
-};
-
-// A block's rows of the matrix: A_ii, and A_{i−1,i} of its links and the one behind them.
-struct BlockRows {
-  double entry[most_block_links], shared[most_block_links + 1];
-};
-
-// u of the lower mass less that of the higher one.
-template <class D>
-HWY_INLINE hn::Vec<D> across(D tag, const double* values) {
-  return hn::Sub(hn::LoadU(tag, values), hn::LoadU(tag, values + 1));
-}
-
-// What a link's square of its length and its change (d·u or |u|²) make of it: (|d|² − l²)/2, or that change.
-template <Wanted wanted, class D>
-HWY_INLINE hn::Vec<D> right_side(D tag, hn::Vec<D> square, hn::Vec<D> change, const double* length) {
-  if constexpr (wanted != Wanted::length) return change;
-  const auto l = hn::LoadU(tag, length);
-  return hn::Mul(hn::Set(tag, 0.5), hn::Sub(square, hn::Mul(l, l)));
-}
-
-// Directions, right sides and rows of a block's links, whose masses are where `position` says, and move so.
-template <Wanted wanted>
-HWY_INLINE void gather_links(const ChainBlock& block, const double* const position[3],
-                             const double* const velocity[3], const ChainArrays& arrays, BlockRows& rows) {
-  const std::size_t link = block.link;
-  for_groups(Widest(), 0, block.count, [&](auto tag, std::size_t k) TAUT_INLINED {
-    auto square = hn::Zero(tag), change = hn::Zero(tag);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto d = across(tag, position[axis] + k), u = across(tag, velocity[axis] + k);
-      hn::StoreU(d, tag, arrays.direction[axis] + link + k);
-      square = hn::Add(square, hn::Mul(d, d));
-      change = hn::Add(change, hn::Mul(wanted == Wanted::speed ? d : u, u));
-    }
-    const double* weight = arrays.inverse_mass + block.mass + k;
-    const auto weights = hn::Add(hn::LoadU(tag, weight), hn::LoadU(tag, weight + 1));
-    hn::StoreU(hn::Mul(weights, square), tag, rows.entry + k);
-    hn::StoreU(right_side<wanted>(tag, square, change, arrays.length + link + k), tag,
-               arrays.multiplier + link + k);
-  });
-  for_groups(Widest(), 0, block.count + 1, [&](auto tag, std::size_t k) TAUT_INLINED {
-    auto along = hn::Zero(tag);
-    for (const double* direction : arrays.direction) {
-      const double* d = direction + link + k;
-      along = hn::Add(along, hn::Mul(hn::LoadU(tag, d - 1), hn::LoadU(tag, d)));
-    }
-    hn::StoreU(hn::Mul(hn::LoadU(tag, arrays.coupling + link + k), along), tag, rows.shared + k);
-  });
-}
-
-// What gravity adds at pins.
-HWY_INLINE void add_falls(const ChainLinks& links, const ChainBlock& block, const ChainArrays& arrays) {
-  const auto from = std::lower_bound(links.hung.begin(), links.hung.end(), std::pair{block.link, false});
-  for (auto hung = from; hung != links.hung.end() && hung->first < block.link + block.count; ++hung) {
-    double fall = 0.0;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      fall += arrays.direction[axis][hung->first] * links.gravity[static_cast<Eigen::Index>(axis)];
-    arrays.multiplier[hung->first] += hung->second ? -fall : fall;
-  }
-}
-
-template <Wanted wanted>
-HWY_INLINE void gather_block(const ChainLinks& links, const PhaseSums& at, const ChainBlock& block,
-                             const ChainArrays& arrays, BlockRows& rows) {
-  if constexpr (wanted == Wanted::acceleration) {
-    constexpr std::size_t room = most_block_links + 1;
-    double x[3][room], v[3][room];
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      for_phases(at, axis, block.mass, block.mass + block.count + 1,
-                 [&](auto tag, std::size_t i, auto position, auto velocity) TAUT_INLINED {
-                   hn::StoreU(position, tag, x[axis] + (i - block.mass));
-                   hn::StoreU(velocity, tag, v[axis] + (i - block.mass));
-                 });
-    const double* const position[] = {x[0], x[1], x[2]};
-    const double* const velocity[] = {v[0], v[1], v[2]};
-    gather_links<wanted>(block, position, velocity, arrays, rows);
-    add_falls(links, block, arrays);
-  } else {
-    const auto from = [&](const Axes& axes, std::size_t axis) { return axes[axis] + block.mass; };
-    const double* const position[] = {from(at.position, 0), from(at.position, 1), from(at.position, 2)};
-    const double* const velocity[] = {from(at.velocity, 0), from(at.velocity, 1), from(at.velocity, 2)};
-    gather_links<wanted>(block, position, velocity, arrays, rows);
-  }
-}
-
-// How far an elimination has come: the last pivot's inverse, and the right side there.
-struct Elimination {
-  double inverse = 0.0, right = 0.0;
-};
-
-HWY_INLINE void eliminate(double entry, double shared, double& passed, double& multiplier,
-                          Elimination& last) {
-  passed = shared * last.inverse;
-  last.inverse = 1.0 / mended_pivot(entry - shared * shared * last.inverse, entry);
-  last.right = multiplier - passed * last.right;
-  multiplier = last.right * last.inverse;
-}
-
-// Asks for what the sums of the masses from i on read, as many as fit a line of the cache: so memory works
-// while divisions are waited for.
-HWY_INLINE void fetch_masses(const PhaseSums& at, std::size_t i) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    hwy::Prefetch(at.position[axis] + i);
-    hwy::Prefetch(at.velocity[axis] + i);
-    for (std::size_t j = 0; j < at.sums.count; ++j) hwy::Prefetch(at.sums.terms[j].axes[axis] + i);
-  }
-}
-
-// From both ends to the middle.
-template <Wanted wanted>
-HWY_INLINE void eliminate_all(const ChainLinks& links, const PhaseSums& at, const ChainArrays& arrays) {
-  BlockRows front_rows, back_rows;
-  Elimination from_front, from_back;
-  const ChainBlock none;
-  for (std::size_t b = 0; b < std::max(links.front.size(), links.back.size()); ++b) {
-    const ChainBlock& front = b < links.front.size() ? links.front[b] : none;
-    const ChainBlock& back = b < links.back.size() ? links.back[b] : none;
-    const double *back_entry = back_rows.entry, *back_shared = back_rows.shared;
-    if (links.is_short) {
-      gather_block<wanted>(links, at, links.whole, arrays, front_rows);
-      back_entry = front_rows.entry + links.middle;
-      back_shared = front_rows.shared + links.middle;
-    } else {
-      if (front.count > 0) gather_block<wanted>(links, at, front, arrays, front_rows);
-      if (back.count > 0) gather_block<wanted>(links, at, back, arrays, back_rows);
-    }
-    const auto step_front = [&](std::size_t k) TAUT_INLINED {
-      const std::size_t i = front.link + k;
-      eliminate(front_rows.entry[k], front_rows.shared[k], arrays.passed[i], arrays.multiplier[i],
-                from_front);
-    };
-    const auto step_back = [&](std::size_t k) TAUT_INLINED {
-      const std::size_t i = back.link + k;
-      eliminate(back_entry[k], back_shared[k + 1], arrays.passed[i + 1], arrays.multiplier[i], from_back);
-    };
-    const std::size_t both = std::min(front.count, back.count);
-    const bool more = b + 1 < links.front.size() && b + 1 < links.back.size();
-    for (std::size_t k = 0; k < both; ++k) {
-      if (more && k % 8 == 0) {
-        fetch_masses(at, links.front[b + 1].mass + k);
-        fetch_masses(at, links.back[b + 1].mass + k);
-      }
-      step_front(k);
-      step_back(back.count - 1 - k);
-    }
-    for (std::size_t k = both; k < front.count; ++k) step_front(k);
-    for (std::size_t k = both; k < back.count; ++k) step_back(back.count - 1 - k);
-  }
-  const std::size_t middle = links.middle;
-  if (middle == 0) return;
-  // λ' = y' − p' λ and λ = y − p λ'
-  double along = 0.0;
-  for (const double* direction : arrays.direction) along += direction[middle - 1] * direction[middle];
-  const double shared = links.coupling[middle] * along;
-  const double to_front = shared * from_front.inverse, to_back = shared * from_back.inverse;
-  arrays.passed[middle] = to_front;
-  arrays.multiplier[middle] = (arrays.multiplier[middle] - to_back * arrays.multiplier[middle - 1]) /
-                              mended_pivot(1.0 - to_front * to_back, 1.0);
-}
 
 // What a mass has before links pull at it.
 template <Wanted wanted>
@@ -292,7 +116,7 @@ HWY_INLINE double solve(const ChainLinks& links, const PhaseSums& at, ChainRoom&
       {room.direction[0].data() + 1, room.direction[1].data() + 1, room.direction[2].data() + 1},
       room.passed.data(),
       multipliers.data(),
-      {moved.x.data(), moved.y.data(), moved.z.data()}};
+      to_write(moved)};
   eliminate_all<wanted>(links, at, arrays);
   return substitute_all<wanted>(links, at, arrays);
 }
@@ -313,8 +137,7 @@ double solve_speeds(const ChainLinks& links, const PhaseSums& at, ChainRoom& roo
 // The largest right side of all links, over the square of their lengths, or over their lengths.
 template <Wanted wanted>
 HWY_INLINE double largest_error(const ChainLinks& links, const PhaseSums& at) {
-  constexpr std::size_t lanes = hn::MaxLanes(Widest());
-  HWY_ALIGN double largest[lanes] = {}, unsound[lanes] = {};
+  LargestMet met;
   for (const auto* half : {&links.front, &links.back})
     for (const ChainBlock& block : *half)
       for_groups(Widest(), 0, block.count, [&](auto tag, std::size_t k) TAUT_INLINED {
@@ -328,16 +151,9 @@ HWY_INLINE double largest_error(const ChainLinks& links, const PhaseSums& at) {
         const double* length = links.length.data() + block.link + k;
         const auto l = hn::LoadU(tag, length);
         const auto scale = wanted == Wanted::length ? hn::Mul(l, l) : l;
-        const auto error = hn::Div(hn::Abs(right_side<wanted>(tag, square, change, length)), scale);
-        hn::Store(hn::Max(hn::Load(tag, largest), error), tag, largest);
-        hn::Store(hn::Add(hn::Load(tag, unsound), hn::Mul(hn::Zero(tag), error)), tag, unsound);
+        met.look(tag, hn::Div(hn::Abs(right_side<wanted>(tag, square, change, length)), scale));
       });
-  double error = 0.0, lost = 0.0;
-  for (std::size_t i = 0; i < lanes; ++i) {
-    error = std::max(error, largest[i]);
-    lost += unsound[i];
-  }
-  return lost == 0.0 ? error : std::numeric_limits<double>::quiet_NaN();
+  return met.of_all();
 }
 
 double largest_length_error(const ChainLinks& links, const PhaseSums& at) {

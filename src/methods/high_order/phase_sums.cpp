@@ -2,9 +2,6 @@
 
 #include "high_order/phase_sums.h"
 
-#include <algorithm>
-#include <limits>
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "high_order/phase_sums.cpp"
 // Vectors of unknown size can't be held in a struct.
@@ -19,8 +16,7 @@ HWY_BEFORE_NAMESPACE();
 namespace taut::HWY_NAMESPACE {
 
 void write_all(const PhaseSums& at, Phase& phase) {
-  double* const positions[] = {phase.position.x.data(), phase.position.y.data(), phase.position.z.data()};
-  double* const velocities[] = {phase.velocity.x.data(), phase.velocity.y.data(), phase.velocity.z.data()};
+  const AxesToWrite positions = to_write(phase.position), velocities = to_write(phase.velocity);
   for (std::size_t axis = 0; axis < 3; ++axis)
     for_phases(at, axis, 0, at.masses,
                [&](auto tag, std::size_t i, auto position, auto velocity) TAUT_INLINED {
@@ -30,27 +26,14 @@ void write_all(const PhaseSums& at, Phase& phase) {
 }
 
 LargestSums largest_of_all(const VectorSums& sums, std::size_t masses) {
-  // What each lane has met: the largest of both, and 0 unless something is not finite.
-  constexpr std::size_t lanes = hn::MaxLanes(Widest());
-  HWY_ALIGN double position[lanes] = {}, velocity[lanes] = {}, unsound[lanes] = {};
+  LargestMet position, velocity;
   for (std::size_t axis = 0; axis < 3; ++axis)
     for_sums(sums, axis, 0, masses,
              [&](auto tag, std::size_t, auto in_position, auto in_velocity) TAUT_INLINED {
-               hn::Store(hn::Max(hn::Load(tag, position), hn::Abs(in_position)), tag, position);
-               hn::Store(hn::Max(hn::Load(tag, velocity), hn::Abs(in_velocity)), tag, velocity);
-               const auto lost = hn::Mul(hn::Zero(tag), hn::Add(in_position, in_velocity));
-               hn::Store(hn::Add(hn::Load(tag, unsound), lost), tag, unsound);
+               position.look(tag, hn::Abs(in_position));
+               velocity.look(tag, hn::Abs(in_velocity));
              });
-  LargestSums largest;
-  double lost = 0.0;
-  for (std::size_t i = 0; i < lanes; ++i) {
-    largest.position = std::max(largest.position, position[i]);
-    largest.velocity = std::max(largest.velocity, velocity[i]);
-    lost += unsound[i];
-  }
-  if (lost == 0.0) return largest;
-  constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
-  return {no_number, no_number};
+  return {position.of_all(), velocity.of_all()};
 }
 
 }  // namespace taut::HWY_NAMESPACE

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 
+#include "axes.h"
 #include "base/vectors.h"
 
 namespace taut {
@@ -12,17 +13,11 @@ struct Phase {
   Vectors position, velocity;
 };
 
-/// The x, y and z of all masses.
-using Axes = std::array<const double*, 3>;
-inline Axes axes_of(const Vectors& vectors) {
-  return {vectors.x.data(), vectors.y.data(), vectors.z.data()};
-}
-
 /// Sums over vectors of all masses, such as the accelerations of stages, for positions and velocities at
 /// once.
 struct VectorSums {
   struct Term {
-    Axes axes;
+    AxesToRead axes;
     double in_position, in_velocity;  ///< weights
   };
   static constexpr std::size_t most = 20;
@@ -31,7 +26,7 @@ struct VectorSums {
 
   void add(const Vectors& vectors, double in_position, double in_velocity) {
     if (in_position == 0.0 && in_velocity == 0.0) return;
-    terms[count++] = {axes_of(vectors), in_position, in_velocity};
+    terms[count++] = {to_read(vectors), in_position, in_velocity};
   }
 };
 
@@ -39,15 +34,15 @@ struct VectorSums {
 ///   x = start + drift · velocity at the start + Σ …,   v = velocity at the start + Σ …
 struct PhaseSums {
   std::size_t masses = 0;
-  Axes position{}, velocity{};  ///< m, m/s, at the start
-  double drift = 0.0;           ///< s
+  AxesToRead position{}, velocity{};  ///< m, m/s, at the start
+  double drift = 0.0;                 ///< s
   VectorSums sums;
 
   /// Begins anew, with nothing but the start.
   void start(const Vectors& from, const Vectors& at_speed, double for_time) {
     masses = from.size();
-    position = axes_of(from);
-    velocity = axes_of(at_speed);
+    position = to_read(from);
+    velocity = to_read(at_speed);
     drift = for_time;
     sums.count = 0;
   }
@@ -56,7 +51,7 @@ struct PhaseSums {
 /// Works the sums out. `phase` must not be among what is summed.
 void write_phase(const PhaseSums& at, Phase& phase);
 
-/// The largest |coordinate| of sums; NaN where one is not a number.
+/// The largest |coordinate| of sums of each kind; NaN where one is not finite.
 struct LargestSums {
   double position = 0.0, velocity = 0.0;
 };

@@ -10,13 +10,12 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 
 #include "high_order/phase_sums.h"
-
-// A lambda that is part of the loop it stands in.
-#undef TAUT_INLINED
-#define TAUT_INLINED HWY_ATTR __attribute__((always_inline))
+#include "inlined.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace taut::HWY_NAMESPACE {
@@ -39,6 +38,27 @@ HWY_INLINE void for_groups(D tag, std::size_t begin, std::size_t end, const Visi
     for_groups(hn::Half<D>(), begin, end, visit);
   }
 }
+
+// The largest of what lanes have met; not a number where one of them has met what is not finite.
+struct LargestMet {
+  static constexpr std::size_t lanes = hn::MaxLanes(Widest());
+  HWY_ALIGN double largest[lanes] = {};
+  HWY_ALIGN double unsound[lanes] = {};  // 0, or not a number
+
+  template <class D>
+  HWY_INLINE void look(D tag, hn::Vec<D> value) {
+    hn::Store(hn::Max(hn::Load(tag, largest), value), tag, largest);
+    hn::Store(hn::Add(hn::Load(tag, unsound), hn::Mul(hn::Zero(tag), value)), tag, unsound);
+  }
+  HWY_INLINE double of_all() const {
+    double most = 0.0, lost = 0.0;
+    for (std::size_t i = 0; i < lanes; ++i) {
+      most = std::max(most, largest[i]);
+      lost += unsound[i];
+    }
+    return lost == 0.0 ? most : std::numeric_limits<double>::quiet_NaN();
+  }
+};
 
 // Calls use(tag, i, position, velocity) with sums of a coordinate. One coordinate after the other is what
 // memory likes: a dozen streams at once, not forty.

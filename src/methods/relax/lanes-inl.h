@@ -12,11 +12,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "inlined.h"
 #include "relax/packed.h"
-
-// A lambda that is part of the loop it stands in.
-#undef TAUT_INLINED
-#define TAUT_INLINED HWY_ATTR __attribute__((always_inline))
 
 HWY_BEFORE_NAMESPACE();
 namespace taut::HWY_NAMESPACE {

@@ -6,7 +6,6 @@
 
 #include "relax/packed_shake.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -16,12 +15,13 @@
 #include "base/vector_operations.h"
 #include "forces/forces.h"
 #include "relax/along_relaxation.h"
+#include "relax/kept_pins.h"
 
 namespace taut {
 namespace {
 
-constexpr int steps_to_last =
-    2;  // as long as each other, from which multipliers tell tensions, one back as well
+// As long as each other, from which multipliers tell tensions, one back as well.
+constexpr int steps_to_last = 2;
 
 class PackedShake final : public Stepper {
  public:
@@ -41,13 +41,7 @@ class PackedShake final : public Stepper {
     links_.load(state_.position, next_);
     at_ = {};
     behind_ = tensions_behind_ = false;
-    std::vector<bool> driven(model_.masses.size(), false);
-    for (const DrivenPin& pin : model_.driven_pins) driven[pin.mass] = true;
-    pins_finite_ = true;
-    for (std::size_t mass = 0; mass < model_.masses.size(); ++mass)
-      if (model_.masses.pinned(mass) && !driven[mass])
-        pins_finite_ =
-            pins_finite_ && state_.position.at(mass).allFinite() && state_.velocity.at(mass).allFinite();
+    pins_finite_ = still_pins_are_finite(model_, state_);
   }
 
   StepReport step(double h, double end_time) override {
@@ -58,13 +52,13 @@ class PackedShake final : public Stepper {
       tension_kept_ = state_.tension;
       tension_before_kept_ = state_.tension_before;
     }
-    keep_pins(pins_before_);
+    pins_before_.keep(model_, state_);
     place_pins(model_, end_time, state_.position, state_.velocity);
     StepReport report;
     if (!std::isfinite(end_time) || !pins_finite_) report.status = StepStatus::not_finite;
     if (report.status == StepStatus::done) move(h, next_, report);
     if (report.status != StepStatus::done) {
-      put_pins(pins_before_);
+      pins_before_.put_back(model_, state_);
       return report;
     }
     std::swap(previous_, present_);
@@ -84,7 +78,7 @@ class PackedShake final : public Stepper {
     std::swap(present_, next_);
     std::swap(previous_, present_);
     links_.take_back();
-    put_pins(pins_before_);
+    pins_before_.put_back(model_, state_);
     at_ = kept_.at;
     state_.time = kept_.time;
     state_.unanswered_kick = kept_.unanswered_kick;
@@ -119,7 +113,7 @@ class PackedShake final : public Stepper {
 
   const State& glimpse() override {
     if (!behind_ || at_.velocities) return store();
-    const FieldStep end = end_kick();
+    const FieldKick end = end_kick();
     for (const Index mass : watched_.masses) {
       if (model_.masses.pinned(mass)) continue;
       const std::size_t place = links_.place(mass);
@@ -135,7 +129,7 @@ class PackedShake final : public Stepper {
 
   std::optional<double> energy() override {
     if (at_.velocities) return std::nullopt;
-    const FieldStep end = end_kick();
+    const FieldKick end = end_kick();
     Vec3 twice_kinetic = Vec3::Zero(), moment = Vec3::Zero();
     for (std::size_t place = 0; place < links_.free_masses().size(); ++place) {
       const double mass = model_.masses.mass[links_.free_masses()[place]];
@@ -160,51 +154,22 @@ class PackedShake final : public Stepper {
     double time = 0.0, unanswered_kick = 0.0;  // s
     bool tensions = false;                     // whether they were kept: else multipliers tell them
   };
-  // What gravity and drag make of a velocity: v·keep + gain.
-  struct FieldStep {
-    double keep = 1.0;
-    Vec3 gain = Vec3::Zero();
-  };
-
-  FieldStep end_kick() const {
-    const double seconds = 0.5 * at_.h, answer = 1.0 / (1.0 + seconds * model_.drag);
-    return {answer, model_.gravity * (seconds * answer)};
-  }
+  FieldKick end_kick() const { return field_kick(model_, 0.5 * at_.h, DragAt::end); }
   static Packed<double> packed_gain(const Vec3& gain) { return {gain.x(), gain.y(), gain.z(), 0.0}; }
   static Vec3 at(const Masses& masses, std::size_t place) {
     return {masses[place].x, masses[place].y, masses[place].z};
   }
-  Vec3 velocity_at_place(std::size_t place, const FieldStep& end) const {
+  Vec3 velocity_at_place(std::size_t place, const FieldKick& end) const {
     return ((at(present_, place) - at(previous_, place)) * (1.0 / at_.h)) * end.keep + end.gain;
-  }
-
-  void keep_pins(std::vector<Vec3>& pins) const {
-    pins.clear();
-    for (const DrivenPin& pin : model_.driven_pins) {
-      pins.push_back(state_.position.at(pin.mass));
-      pins.push_back(state_.velocity.at(pin.mass));
-    }
-  }
-  void put_pins(const std::vector<Vec3>& pins) {
-    for (std::size_t i = 0; i < model_.driven_pins.size(); ++i) {
-      state_.position.set(model_.driven_pins[i].mass, pins[2 * i]);
-      state_.velocity.set(model_.driven_pins[i].mass, pins[2 * i + 1]);
-    }
   }
 
   // The masses at the end of another step of h seconds, to `moved`, with pins where the state has them.
   void move(double h, Masses& moved, StepReport& report) {
-    const FieldStep end = end_kick();
-    const double half = 0.5 * h;
-    const FreeMotion<double> motion{previous_.data(),
-                                    present_.data(),
-                                    at_.velocities,
-                                    1.0 / at_.h,
-                                    end.keep,
-                                    1.0 - half * model_.drag,
-                                    h,
-                                    packed_gain(end.gain),
-                                    packed_gain(model_.gravity * half)};
+    const FieldKick end = end_kick();
+    const FieldKick begun = field_kick(model_, 0.5 * h, DragAt::start);
+    const FreeMotion<double> motion{
+        previous_.data(),      present_.data(),        at_.velocities, 1.0 / at_.h, end.keep, begun.keep, h,
+        packed_gain(end.gain), packed_gain(begun.gain)};
     links_.load_pins(state_.position, moved);
     links_.begin_step(1.0, 1.0);
     for (int made = 0; made < passes_; ++made) {
@@ -241,11 +206,11 @@ class PackedShake final : public Stepper {
 
   void probe(double h, StepReport& report) {
     if (links_.size() == 0) return;
-    keep_pins(pins_at_end_);
+    pins_at_end_.keep(model_, state_);
     place_pins(model_, state_.time + h, state_.position, state_.velocity);
     StepReport probe;
     move(h, probed_, probe);
-    put_pins(pins_at_end_);
+    pins_at_end_.put_back(model_, state_);
     report.link_solves += probe.link_solves;
     if (probe.status != StepStatus::done) return;
     links_.give_multipliers_along(tension_scale(h, state_.unanswered_kick), state_.tension);
@@ -268,7 +233,7 @@ class PackedShake final : public Stepper {
   bool behind_ = false, tensions_behind_ = false;
   Going at_;
   Kept kept_;
-  std::vector<Vec3> pins_before_, pins_at_end_;
+  KeptPins pins_before_, pins_at_end_;
   Masses previous_, present_, next_;  // the free masses before, now, and being made; or before that
   Masses probed_;                     // at the end of a step that is not made
   std::vector<double> start_tension_, tension_kept_, tension_before_kept_;  // N

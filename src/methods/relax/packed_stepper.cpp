@@ -4,12 +4,12 @@
 
 #include "relax/packed_stepper.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
 #include "forces/forces.h"
+#include "relax/kept_pins.h"
 #include "relax/relaxation.h"
 
 namespace taut {
@@ -39,11 +39,7 @@ class PackedStepper final : public Stepper {
     links_.load(state_.position, next_);
     velocities_ = true;
     behind_ = false;
-    pins_finite_ = true;
-    for (std::size_t mass = 0; mass < model_.masses.size(); ++mass)
-      if (model_.masses.pinned(mass) && !driven(mass))
-        pins_finite_ =
-            pins_finite_ && state_.position.at(mass).allFinite() && state_.velocity.at(mass).allFinite();
+    pins_finite_ = still_pins_are_finite(model_, state_);
   }
 
   StepReport step(double h, double end_time) override {
@@ -58,7 +54,7 @@ class PackedStepper final : public Stepper {
       report.status = StepStatus::not_finite;
       return report;
     }
-    keep_pins();
+    pins_before_.keep(model_, state_);
     place_pins(model_, end_time, state_.position, state_.velocity);
     links_.load_pins(state_.position, next_);
     links_.begin_step(motion.h, static_cast<Real>(whole ? 1.0 / (1.0 + h * model_.drag) : 1.0));
@@ -69,7 +65,7 @@ class PackedStepper final : public Stepper {
     report.link_solves = links_.size() * passes_;
     if (!finite) {
       links_.take_back();
-      put_pins_back();
+      pins_before_.put_back(model_, state_);
       report.status = StepStatus::not_finite;
       return report;
     }
@@ -118,30 +114,10 @@ class PackedStepper final : public Stepper {
   }
 
  private:
-  bool driven(std::size_t mass) const {
-    return std::ranges::any_of(model_.driven_pins, [mass](const DrivenPin& pin) { return pin.mass == mass; });
-  }
-
-  // Driven pins as they are before a step, for one that fails.
-  void keep_pins() {
-    pins_before_.clear();
-    for (const DrivenPin& pin : model_.driven_pins) {
-      pins_before_.push_back(state_.position.at(pin.mass));
-      pins_before_.push_back(state_.velocity.at(pin.mass));
-    }
-  }
-  void put_pins_back() {
-    for (std::size_t i = 0; i < model_.driven_pins.size(); ++i) {
-      state_.position.set(model_.driven_pins[i].mass, pins_before_[2 * i]);
-      state_.velocity.set(model_.driven_pins[i].mass, pins_before_[2 * i + 1]);
-    }
-  }
-
-  // What gravity and drag make of a velocity in a kick of so many seconds: kick() without loads.
   void set_kick(double seconds, Real& keep, Packed<Real>& gain) const {
-    const double answer = 1.0 / (1.0 + seconds * model_.drag);
-    keep = static_cast<Real>(answer);
-    gain = packed_gain<Real>(model_.gravity * (seconds * answer));
+    const FieldKick fields = field_kick(model_, seconds, DragAt::end);
+    keep = static_cast<Real>(fields.keep);
+    gain = packed_gain<Real>(fields.gain);
   }
 
   double tension_scale() const {
@@ -156,7 +132,7 @@ class PackedStepper final : public Stepper {
   Watched watched_;
   bool loaded_ = false, behind_ = false;
   bool pins_finite_ = true;  // those that nothing drives
-  std::vector<Vec3> pins_before_;
+  KeptPins pins_before_;
   typename Relaxation<Real>::Masses previous_, present_,
       next_;                                 // the free masses before, now, and being made
   bool velocities_ = false;                  // previous_ has them
