@@ -22,6 +22,18 @@ constexpr double wind_step = 19.0;  // ns a triangle and step
 constexpr std::int64_t evaluations = 14;
 constexpr double farthest_turn = 4.0;
 
+// 0 for chains and trees, whose systems are solved in one pass, to 1 for nets, by the rings that links close:
+// in a net of links along rows and columns every other one does.
+double share_of_net(const Model& model) {
+  const auto links = static_cast<double>(model.links.size()),
+             rings = links - static_cast<double>(model.masses.size());
+  return rings <= 0.0 ? 0.0 : std::min(1.0, 2.0 * rings / links);
+}
+
+double rigid_links(const Model& model) {
+  return static_cast<double>(std::ranges::count(model.links.stiffness, infinity));
+}
+
 // Steps a second that settings make by rule.
 double expected_pace(const Model& model, const Settings& settings) {
   double pace = pace_of(model, settings);
@@ -38,16 +50,20 @@ double predicted_seconds(const Model& model, std::string_view method, const Step
   const Method& entry = *find_method(method);
   const Prices& price = entry.prices;
   const auto rows = static_cast<double>(model.links.size()),
-             limits = static_cast<double>(model.limits.size()), rounds = static_cast<double>(counts.rounds);
+             limits = static_cast<double>(model.limits.size()), rounds = static_cast<double>(counts.rounds),
+             factorisations = static_cast<double>(counts.factorisations);
+  const double net = share_of_net(model);
+  // What chooses its steps has links with stiffness as forces, of every evaluation.
+  const double forces =
+      entry.can.chooses_steps ? price.solve * factorisations * (rows - rigid_links(model)) : 0.0;
   // Masses on the ground alone cost next to nothing.
   const double contacts = touches_only_ground(model) ? 0.0 : static_cast<double>(model.contacts.size());
   const bool dense = price.factor > 0.0 && limits > 0.0;
   // Where links with stiffness are forces, a model without rigid links has a system of no rows.
   const bool factors = entry.can.limit != StepLimit::sideways_vibration || has_rigid_links(model);
   return 1e-9 * (any_step * steps + price.round * rounds + price.step * steps * rows +
-                 price.solve * static_cast<double>(counts.link_solves) +
-                 (factors ? price.factor * static_cast<double>(counts.factorisations) * rows * std::sqrt(rows)
-                          : 0.0) +
+                 std::lerp(price.solve, price.net_solve, net) * static_cast<double>(counts.link_solves) +
+                 forces + (factors ? net * price.factor * factorisations * rows * std::sqrt(rows) : 0.0) +
                  (dense ? dense_round * rounds * std::pow(rows + limits, 3.0) : 0.0) +
                  limit_round * rounds * limits + contact_step * steps * contacts +
                  (model.wind ? wind_step * steps * static_cast<double>(model.triangles.size()) : 0.0));
@@ -68,7 +84,7 @@ double predicted_seconds(const Model& model, std::string_view method, double ste
   if (entry.can.chooses_steps) {
     counts.rounds = counts.factorisations;
     counts.factorisations *= evaluations;
-    counts.link_solves = counts.factorisations * static_cast<std::int64_t>(model.links.size());
+    counts.link_solves = counts.factorisations * static_cast<std::int64_t>(rigid_links(model));
   }
   return predicted_seconds(model, method, counts, steps);
 }

@@ -31,8 +31,9 @@ constexpr std::array dop853_params{
           "error of a position that a step may make; of a velocity ten times that a second"},
 };
 
-std::unique_ptr<Stepper> make_dop853(const Model& model, const Settings& settings, const Execution&) {
-  return std::make_unique<HighOrderStepper>(model, settings.number("tolerance"));
+std::unique_ptr<Stepper> make_dop853(const Model& model, const Settings& settings,
+                                     const Execution& execution) {
+  return std::make_unique<HighOrderStepper>(model, settings.number("tolerance"), execution.workers);
 }
 
 std::string dop853_refusal(const Model& model, const State& start, const Settings& settings) {
@@ -70,7 +71,7 @@ Method dop853_method() {
           "Hairer, Nørsett and Wanner, Solving Ordinary Differential Equations I (1993)",
           dop853_params,
           can,
-          {20.0, 15.0, 0.05, 1500.0},
+          {0.0, 10.0, 75.0, 1.8, 1500.0},
           make_dop853,
           dop853_refusal};
 }

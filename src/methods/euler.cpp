@@ -141,7 +141,7 @@ Method euler_method() {
           "Ragdoll and Cloth Physics Simulation",
           euler_params,
           can,
-          {4.0, 18.0, 0.0},
+          {4.0, 18.0, 18.0},
           make_euler};
 }
 

@@ -104,7 +104,7 @@ Method newton_method() {
           "Goldenthal et al. (2007); Deul et al. (2018)",
           newton_params,
           can,
-          {8.0, 12.0, 0.5},
+          {8.0, 8.5, 30.0, 4.0},
           make_newton,
           newton_refusal};
 }

@@ -329,7 +329,7 @@ Method rattle_method() {
           "Andersen, Rattle (1983); Yoshida (1990)",
           rattle_params,
           can,
-          {20.0, 5.0, 0.5},
+          {3.0, 10.0, 24.0, 2.8},
           make_rattle,
           rattle_refusal};
 }

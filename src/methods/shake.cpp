@@ -214,7 +214,7 @@ Method shake_method() {
           "Ryckaert, Ciccotti and Berendsen (1977)",
           shake_params,
           can,
-          {6.0, 2.5, 0.0},
+          {4.0, 2.5, 2.5},
           make_shake,
           shake_refusal};
 }

@@ -197,7 +197,7 @@ Method spring_implicit_method() {
           "Baraff and Witkin, Large Steps in Cloth Simulation (1998)",
           spring_implicit_params,
           can,
-          {15.0, 0.0, 40.0},
+          {15.0, 330.0, 0.0, 40.0},
           make_spring_implicit};
 }
 

@@ -46,7 +46,7 @@ Method verlet_method() {
           "Jakobsen, Advanced Character Physics (2001)",
           verlet_params,
           can,
-          {2.0, 2.5, 0.0},
+          {2.0, 2.5, 2.5},
           make_verlet};
 }
 

@@ -69,7 +69,7 @@ Method xpbd_method() {
           "Macklin et al., XPBD (2016); Small Steps in Physics Simulation (2019)",
           xpbd_params,
           can,
-          {2.0, 2.5, 0.0},
+          {2.0, 2.5, 2.5},
           make_xpbd,
           xpbd_refusal};
 }

@@ -12,9 +12,10 @@ using namespace taut;
 
 constexpr std::int64_t steps_at_once = 4;
 
-void per_evaluation(benchmark::State& run, const Description& description) {
+void per_evaluation(benchmark::State& run, const Description& description, int threads = 1) {
   const Built built = bench::build_valid(description);
-  Run motion(built.model, built.start, complete_settings({"dop853", {{"tolerance", 1e-6}}}));
+  Run motion(built.model, built.start, complete_settings({"dop853", {{"tolerance", 1e-6}}}), {},
+             {std::make_shared<Workers>(threads)});
   for (int step = 0; step < 8; ++step) motion.step();  // until steps are as long as they may be
   const std::int64_t before = motion.report().counts.link_solves;
   for (auto round : run)
@@ -26,13 +27,25 @@ void per_evaluation(benchmark::State& run, const Description& description) {
       benchmark::Counter(solves, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
-void chain(benchmark::State& run) {
+void chain_on_threads(benchmark::State& run, int threads) {
   const auto links = static_cast<int>(run.range(0));
   Description description = bench::level_chain(links, 2.0 / links);
   description.chains[0].length = 2.2;  // it hangs in an arc, and swings
-  per_evaluation(run, description);
+  per_evaluation(run, description, threads);
+}
+void chain(benchmark::State& run) {
+  chain_on_threads(run, 1);
 }
 BENCHMARK(chain)->Arg(20)->RangeMultiplier(10)->Range(100, 100000)->Unit(benchmark::kMillisecond);
+void chain_on_2_threads(benchmark::State& run) {
+  chain_on_threads(run, 2);
+}
+BENCHMARK(chain_on_2_threads)
+    ->Arg(10000)
+    ->Arg(100000)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
 
 void net(benchmark::State& run) {
   SheetSpec sheet;

@@ -5,8 +5,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory>
 #include <random>
+#include <string>
 
 #include "high_order/equations.h"
 #include "methods/simd.h"
@@ -74,8 +77,8 @@ TEST_P(ChainsAlone, AreFoundAndMoveAsByTheEquationsOfEverything) {
   const Built built = build_chains(GetParam());
   const Model all = felt_by_all(built.model);
   const LinkSystem system = make_link_system(built.model, whole_rigid_links(built.model, built.start));
-  ASSERT_TRUE(make_chain_motion(built.model, system));
-  ASSERT_FALSE(make_chain_motion(all, system));
+  ASSERT_TRUE(make_chain_motion(built.model, system, nullptr));
+  ASSERT_FALSE(make_chain_motion(all, system, nullptr));
   Equations chains(built.model, built.start), general(all, built.start);
   const Vectors &x = built.start.position, &v = built.start.velocity;
   Vectors a, expected;
@@ -117,54 +120,83 @@ struct WidestSimdAgain {
   ~WidestSimdAgain() { force_simd(""); }
 };
 
-TEST_P(ChainsAlone, MoveTheSameWhateverTheWidthOfVectors) {
-  const WidestSimdAgain again;
-  const Built built = build_chains(GetParam());
-  Equations chains(built.model, built.start);
+// What a step makes of chains: accelerations, sums, and the way back onto links.
+struct Made {
+  Vectors acceleration;
+  Phase stage, with_others, projected;
+  std::array<LargestSums, 2> largest;
+};
+
+Made make_all(const Built& built, const std::shared_ptr<Workers>& workers) {
+  Equations chains(built.model, built.start, workers);
   PhaseSums sums;
   sums.start(built.start.position, built.start.velocity, 1e-3);
   sums.sums.add(built.start.velocity, 1e-4, 0.3);
   sums.sums.add(built.start.position, 1e-5, -0.7);
-  struct Found {
-    Vectors acceleration;
-    Phase stage, projected;
-    double position = 0.0, velocity = 0.0;
-  };
-  const auto find = [&] {
-    Found found;
-    EXPECT_TRUE(chains.evaluate(0.0, sums, found.acceleration));
-    write_phase(sums, found.stage);
-    found.projected = found.stage;
-    EXPECT_TRUE(chains.project(found.projected.position, found.projected.velocity));
-    const LargestSums largest = largest_sums(sums.sums, built.model.masses.size());
-    found.position = largest.position;
-    found.velocity = largest.velocity;
-    return found;
-  };
-  const Found expected = find();
+  std::array<VectorSums, 2> others;
+  for (const double weight : {0.1, -3.0}) {
+    VectorSums& other = others[weight < 0.0 ? 1 : 0];
+    other.add(built.start.velocity, weight, 0.2);
+    other.add(built.start.position, 0.0, weight);
+  }
+  Made made;
+  EXPECT_TRUE(chains.evaluate(0.0, sums, made.acceleration));
+  write_phase(sums, made.stage);
+  made.projected = made.stage;
+  EXPECT_TRUE(chains.project(made.projected.position, made.projected.velocity));
+  made.largest = write_phase(sums, others, workers.get(), made.with_others);
+  return made;
+}
+
+void expect_same(const Made& made, const Made& expected, const std::string& how) {
+  EXPECT_EQ(made.acceleration, expected.acceleration) << how;
+  EXPECT_EQ(made.stage.position, expected.stage.position) << how;
+  EXPECT_EQ(made.stage.velocity, expected.stage.velocity) << how;
+  EXPECT_EQ(made.projected.position, expected.projected.position) << how;
+  EXPECT_EQ(made.projected.velocity, expected.projected.velocity) << how;
+  EXPECT_EQ(made.with_others.position, expected.stage.position) << how;
+  EXPECT_EQ(made.with_others.velocity, expected.stage.velocity) << how;
+  for (std::size_t i = 0; i < made.largest.size(); ++i) {
+    EXPECT_EQ(made.largest[i].position, expected.largest[i].position) << how;
+    EXPECT_EQ(made.largest[i].velocity, expected.largest[i].velocity) << how;
+  }
+}
+
+TEST_P(ChainsAlone, MoveTheSameWhateverTheWidthOfVectors) {
+  const WidestSimdAgain again;
+  const Built built = build_chains(GetParam());
+  const Made expected = make_all(built, nullptr);
   for (const std::string& target : simd_targets()) {
     force_simd(target);
-    const Found found = find();
-    EXPECT_EQ(found.acceleration, expected.acceleration) << target;
-    EXPECT_EQ(found.stage.position, expected.stage.position) << target;
-    EXPECT_EQ(found.stage.velocity, expected.stage.velocity) << target;
-    EXPECT_EQ(found.projected.position, expected.projected.position) << target;
-    EXPECT_EQ(found.projected.velocity, expected.projected.velocity) << target;
-    EXPECT_EQ(found.position, expected.position) << target;
-    EXPECT_EQ(found.velocity, expected.velocity) << target;
+    expect_same(make_all(built, nullptr), expected, target);
   }
+}
+
+TEST_P(ChainsAlone, MoveTheSameOnAnyNumberOfThreads) {
+  const Built built = build_chains(GetParam());
+  const Made expected = make_all(built, nullptr);
+  for (const int threads : {1, 2, 3})
+    expect_same(make_all(built, std::make_shared<Workers>(threads)), expected,
+                fmt::format("on {} threads", threads));
 }
 
 // Of a number that is none nothing is the largest.
 TEST(LargestSums, AreNoNumberWhereOneIsNone) {
   Vectors some;
   for (int i = 0; i < 21; ++i) some.push_back({1.0 * i, -2.0 * i, 0.5});
-  VectorSums sums;
-  sums.add(some, 1.0, 0.5);
-  EXPECT_EQ(largest_sums(sums, some.size()).position, 40.0);
-  EXPECT_EQ(largest_sums(sums, some.size()).velocity, 20.0);
+  PhaseSums at;
+  at.start(some, some, 0.0);
+  at.sums.add(some, 0.0, 0.0);
+  std::array<VectorSums, 2> others;
+  others[0].add(some, 1.0, 0.5);
+  others[1].add(some, 0.0, 0.0);
+  Phase phase;
+  EXPECT_EQ(write_phase(at, others, nullptr, phase)[0].position, 40.0);
+  EXPECT_EQ(write_phase(at, others, nullptr, phase)[0].velocity, 20.0);
+  EXPECT_EQ(write_phase(at, others, nullptr, phase)[1].position, 0.0);
+  EXPECT_EQ(phase.position, some);
   some.y[3] = std::nan("");
-  EXPECT_TRUE(std::isnan(largest_sums(sums, some.size()).position));
+  EXPECT_TRUE(std::isnan(write_phase(at, others, nullptr, phase)[0].position));
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -177,6 +209,7 @@ INSTANTIATE_TEST_SUITE_P(
                       ChainCase{"turned_within", 40, {0}, {}, 12, 25}, ChainCase{"a_block", 513, {0}, {}},
                       ChainCase{"a_block_and_one", 514, {0}, {}},
                       ChainCase{"two_blocks_a_half", 2020, {0}, {}}, ChainCase{"many_blocks", 5000, {0}, {}},
+                      ChainCase{"many_apart", 9000, {0, 8999}, {2047, 4499, 6000}},
                       ChainCase{"long_turned", 3000, {5}, {}, 700, 1900},
                       ChainCase{"long_apart", 3500, {0, 400, 3499}, {99, 1450, 2700}}),
     [](const auto& each) { return each.param.label; });

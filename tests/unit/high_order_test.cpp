@@ -50,6 +50,12 @@ TEST(SecondOrder, WeightsOfPositionsFulfilTheirConditions) {
   for (int k = 2; k <= 8; ++k) EXPECT_NEAR(moment(end, k - 2), 1.0 / (k * (k - 1)), 4e-15) << k;
   for (std::size_t j = 0; j < stages; ++j) EXPECT_NEAR(end[j], weights[stages][j] * (1.0 - nodes[j]), 4e-15);
   EXPECT_NEAR(moment(for_positions(fifth_order_error), 0), 0.0, 1e-14);
+  for (std::size_t i = 0; i < end_sums[0].count; ++i) {
+    const std::size_t j = end_sums[0].stage[i];
+    EXPECT_EQ(end_sums[2].stage[i], j);
+    EXPECT_EQ(end_sums[0].position[i], end[j]);
+    EXPECT_EQ(end_sums[2].velocity[i], third_order_error[j]);
+  }
   for (const Row& row : interpolant) EXPECT_NEAR(moment(row, 0), 0.0, 1e-12);
 }
 

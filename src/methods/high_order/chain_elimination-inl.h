@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 #include "direct/link_matrices.h"
 #include "high_order/chain_motion.h"
@@ -55,10 +56,22 @@ HWY_INLINE hn::Vec<D> right_side(D tag, hn::Vec<D> square, hn::Vec<D> change, co
   return hn::Mul(hn::Set(tag, 0.5), hn::Sub(square, hn::Mul(l, l)));
 }
 
+// Which of a block's links to tell what they share with the one before them: [begin, end), where `count` is
+// the one behind the block. What a half does not ask for is left to the other one, which may be at it.
+struct Shared {
+  std::size_t begin, end;
+};
+HWY_INLINE Shared shared_upwards(const ChainBlock& block) {
+  return {0, block.count};
+}
+HWY_INLINE Shared shared_downwards(const ChainBlock& block) {
+  return {1, block.count + 1};
+}
+
 // Directions, right sides and rows of a block's links, whose masses are where `position` says, and move so.
 template <Wanted wanted>
-HWY_INLINE void gather_links(const ChainBlock& block, const AxesToRead& position, const AxesToRead& velocity,
-                             const ChainArrays& arrays, BlockRows& rows) {
+HWY_INLINE void gather_links(const ChainBlock& block, Shared shared, const AxesToRead& position,
+                             const AxesToRead& velocity, const ChainArrays& arrays, BlockRows& rows) {
   const std::size_t link = block.link;
   for_groups(Widest(), 0, block.count, [&](auto tag, std::size_t k) TAUT_INLINED {
     auto square = hn::Zero(tag), change = hn::Zero(tag);
@@ -74,7 +87,7 @@ HWY_INLINE void gather_links(const ChainBlock& block, const AxesToRead& position
     hn::StoreU(right_side<wanted>(tag, square, change, arrays.length + link + k), tag,
                arrays.multiplier + link + k);
   });
-  for_groups(Widest(), 0, block.count + 1, [&](auto tag, std::size_t k) TAUT_INLINED {
+  for_groups(Widest(), shared.begin, shared.end, [&](auto tag, std::size_t k) TAUT_INLINED {
     auto along = hn::Zero(tag);
     for (const double* direction : arrays.direction) {
       const double* d = direction + link + k;
@@ -97,7 +110,7 @@ HWY_INLINE void add_falls(const ChainLinks& links, const ChainBlock& block, cons
 
 template <Wanted wanted>
 HWY_INLINE void gather_block(const ChainLinks& links, const PhaseSums& at, const ChainBlock& block,
-                             const ChainArrays& arrays, BlockRows& rows) {
+                             Shared shared, const ChainArrays& arrays, BlockRows& rows) {
   if constexpr (wanted == Wanted::acceleration) {
     constexpr std::size_t room = most_block_links + 1;
     double x[3][room], v[3][room];
@@ -107,13 +120,13 @@ HWY_INLINE void gather_block(const ChainLinks& links, const PhaseSums& at, const
                    hn::StoreU(position, tag, x[axis] + (i - block.mass));
                    hn::StoreU(velocity, tag, v[axis] + (i - block.mass));
                  });
-    gather_links<wanted>(block, {x[0], x[1], x[2]}, {v[0], v[1], v[2]}, arrays, rows);
+    gather_links<wanted>(block, shared, {x[0], x[1], x[2]}, {v[0], v[1], v[2]}, arrays, rows);
     add_falls(links, block, arrays);
   } else {
     const auto from = [&](const AxesToRead& axes) -> AxesToRead {
       return {axes[0] + block.mass, axes[1] + block.mass, axes[2] + block.mass};
     };
-    gather_links<wanted>(block, from(at.position), from(at.velocity), arrays, rows);
+    gather_links<wanted>(block, shared, from(at.position), from(at.velocity), arrays, rows);
   }
 }
 
@@ -140,32 +153,68 @@ HWY_INLINE void fetch_masses(const PhaseSums& at, std::size_t i) {
   }
 }
 
-// From both ends to the middle.
+// A link of the front half, after the one before it, and of the back half, after the one behind it.
+HWY_INLINE void eliminate_upwards(const ChainBlock& block, std::size_t k, const double* entry,
+                                  const double* shared, const ChainArrays& arrays, Elimination& last) {
+  const std::size_t i = block.link + k;
+  eliminate(entry[k], shared[k], arrays.passed[i], arrays.multiplier[i], last);
+}
+HWY_INLINE void eliminate_downwards(const ChainBlock& block, std::size_t k, const double* entry,
+                                    const double* shared, const ChainArrays& arrays, Elimination& last) {
+  const std::size_t i = block.link + k;
+  eliminate(entry[k], shared[k + 1], arrays.passed[i + 1], arrays.multiplier[i], last);
+}
+
+// One half from its end to the middle, for a thread of its own.
 template <Wanted wanted>
-HWY_INLINE void eliminate_all(const ChainLinks& links, const PhaseSums& at, const ChainArrays& arrays) {
+HWY_INLINE Elimination eliminate_half(const ChainLinks& links, bool front, const PhaseSums& at,
+                                      const ChainArrays& arrays) {
+  BlockRows rows;
+  Elimination last;
+  const std::vector<ChainBlock>& blocks = front ? links.front : links.back;
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    const ChainBlock& block = blocks[b];
+    gather_block<wanted>(links, at, block, front ? shared_upwards(block) : shared_downwards(block), arrays,
+                         rows);
+    for (std::size_t k = 0; k < block.count; ++k) {
+      if (b + 1 < blocks.size() && k % 8 == 0) fetch_masses(at, blocks[b + 1].mass + k);
+      if (front)
+        eliminate_upwards(block, k, rows.entry, rows.shared, arrays, last);
+      else
+        eliminate_downwards(block, block.count - 1 - k, rows.entry, rows.shared, arrays, last);
+    }
+  }
+  return last;
+}
+
+struct BothEliminations {
+  Elimination front, back;
+};
+
+// Both halves, in turn.
+template <Wanted wanted>
+HWY_INLINE BothEliminations eliminate_both(const ChainLinks& links, const PhaseSums& at,
+                                           const ChainArrays& arrays) {
   BlockRows front_rows, back_rows;
-  Elimination from_front, from_back;
+  BothEliminations last;
   const ChainBlock none;
   for (std::size_t b = 0; b < std::max(links.front.size(), links.back.size()); ++b) {
     const ChainBlock& front = b < links.front.size() ? links.front[b] : none;
     const ChainBlock& back = b < links.back.size() ? links.back[b] : none;
     const double *back_entry = back_rows.entry, *back_shared = back_rows.shared;
     if (links.is_short) {
-      gather_block<wanted>(links, at, links.whole, arrays, front_rows);
+      gather_block<wanted>(links, at, links.whole, {0, links.whole.count + 1}, arrays, front_rows);
       back_entry = front_rows.entry + links.middle;
       back_shared = front_rows.shared + links.middle;
     } else {
-      if (front.count > 0) gather_block<wanted>(links, at, front, arrays, front_rows);
-      if (back.count > 0) gather_block<wanted>(links, at, back, arrays, back_rows);
+      if (front.count > 0) gather_block<wanted>(links, at, front, shared_upwards(front), arrays, front_rows);
+      if (back.count > 0) gather_block<wanted>(links, at, back, shared_downwards(back), arrays, back_rows);
     }
     const auto step_front = [&](std::size_t k) TAUT_INLINED {
-      const std::size_t i = front.link + k;
-      eliminate(front_rows.entry[k], front_rows.shared[k], arrays.passed[i], arrays.multiplier[i],
-                from_front);
+      eliminate_upwards(front, k, front_rows.entry, front_rows.shared, arrays, last.front);
     };
     const auto step_back = [&](std::size_t k) TAUT_INLINED {
-      const std::size_t i = back.link + k;
-      eliminate(back_entry[k], back_shared[k + 1], arrays.passed[i + 1], arrays.multiplier[i], from_back);
+      eliminate_downwards(back, back.count - 1 - k, back_entry, back_shared, arrays, last.back);
     };
     const std::size_t both = std::min(front.count, back.count);
     const bool more = b + 1 < links.front.size() && b + 1 < links.back.size();
@@ -175,18 +224,22 @@ HWY_INLINE void eliminate_all(const ChainLinks& links, const PhaseSums& at, cons
         fetch_masses(at, links.back[b + 1].mass + k);
       }
       step_front(k);
-      step_back(back.count - 1 - k);
+      step_back(k);
     }
     for (std::size_t k = both; k < front.count; ++k) step_front(k);
-    for (std::size_t k = both; k < back.count; ++k) step_back(back.count - 1 - k);
+    for (std::size_t k = both; k < back.count; ++k) step_back(k);
   }
+  return last;
+}
+
+// Where the halves meet: λ' = y' − p' λ and λ = y − p λ'.
+HWY_INLINE void meet(const ChainLinks& links, const BothEliminations& last, const ChainArrays& arrays) {
   const std::size_t middle = links.middle;
   if (middle == 0) return;
-  // λ' = y' − p' λ and λ = y − p λ'
   double along = 0.0;
   for (const double* direction : arrays.direction) along += direction[middle - 1] * direction[middle];
   const double shared = links.coupling[middle] * along;
-  const double to_front = shared * from_front.inverse, to_back = shared * from_back.inverse;
+  const double to_front = shared * last.front.inverse, to_back = shared * last.back.inverse;
   arrays.passed[middle] = to_front;
   arrays.multiplier[middle] = (arrays.multiplier[middle] - to_back * arrays.multiplier[middle - 1]) /
                               mended_pivot(1.0 - to_front * to_back, 1.0);

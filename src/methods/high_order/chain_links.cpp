@@ -86,7 +86,8 @@ std::vector<SingleMass> singles_of(const Model& model, const SystemLinks& links,
 
 }  // namespace
 
-std::unique_ptr<ChainMotion> make_chain_motion(const Model& model, const LinkSystem& system) {
+std::unique_ptr<ChainMotion> make_chain_motion(const Model& model, const LinkSystem& system,
+                                               const std::shared_ptr<Workers>& workers) {
   const SystemLinks& links = system.links;
   if (!system.along_paths || !hangs_freely(model)) return nullptr;
   const std::vector<LinkRow> rows = rows_of(links);
@@ -122,7 +123,7 @@ std::unique_ptr<ChainMotion> make_chain_motion(const Model& model, const LinkSys
       chain.hung.emplace_back(i, model.masses.pinned(lower));
   }
   chain.gravity = model.gravity;
-  return std::make_unique<ChainMotion>(std::move(chain));
+  return std::make_unique<ChainMotion>(std::move(chain), workers);
 }
 
 }  // namespace taut

@@ -15,7 +15,11 @@
 #include "high_order/chain_motion.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
+#include <vector>
+
+#include "base/workers.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "high_order/chain_motion.cpp"
@@ -68,9 +72,42 @@ HWY_INLINE void move_single(const ChainLinks& links, const PhaseSums& at, const 
   }
 }
 
-// From the middle to both ends; returns 0, unless a multiplier is not finite.
+// A multiplier of the front half, from the one behind it, and of the back half, from the one before it, down
+// to which `known` is; adds 0 to `unsound`, unless it is not finite.
+HWY_INLINE void substitute_downwards(std::size_t i, const ChainArrays& arrays, double& known,
+                                     double& unsound) {
+  arrays.multiplier[i] = known = arrays.multiplier[i] - arrays.passed[i + 1] * known;
+  unsound += 0.0 * known;
+}
+HWY_INLINE void substitute_upwards(const ChainLinks& links, std::size_t i, const ChainArrays& arrays,
+                                   double& known, double& unsound) {
+  if (i != links.middle) arrays.multiplier[i] = known = arrays.multiplier[i] - arrays.passed[i] * known;
+  unsound += 0.0 * known;
+}
+
+// From the middle to the end of one half, for a thread of its own; returns 0, unless a multiplier is not
+// finite.
 template <Wanted wanted>
-HWY_INLINE double substitute_all(const ChainLinks& links, const PhaseSums& at, const ChainArrays& arrays) {
+HWY_INLINE double substitute_half(const ChainLinks& links, bool front, const PhaseSums& at,
+                                  const ChainArrays& arrays) {
+  double unsound = 0.0, known = arrays.multiplier[links.middle];
+  const std::vector<ChainBlock>& blocks = front ? links.front : links.back;
+  for (std::size_t b = blocks.size(); b-- > 0;) {
+    const ChainBlock& block = blocks[b];
+    for (std::size_t k = 0; k < block.count; ++k) {
+      if (front)
+        substitute_downwards(block.link + block.count - 1 - k, arrays, known, unsound);
+      else
+        substitute_upwards(links, block.link + k, arrays, known, unsound);
+    }
+    move_block<wanted>(links, at, block, arrays);
+  }
+  return unsound;
+}
+
+// The same of both halves, in turn.
+template <Wanted wanted>
+HWY_INLINE double substitute_both(const ChainLinks& links, const PhaseSums& at, const ChainArrays& arrays) {
   double unsound = 0.0;
   double on_front = arrays.multiplier[links.middle], on_back = on_front;
   const ChainBlock none;
@@ -78,22 +115,17 @@ HWY_INLINE double substitute_all(const ChainLinks& links, const PhaseSums& at, c
     const ChainBlock& front = b < links.front.size() ? links.front[b] : none;
     const ChainBlock& back = b < links.back.size() ? links.back[b] : none;
     const auto step_front = [&](std::size_t k) TAUT_INLINED {
-      const std::size_t i = front.link + k;
-      arrays.multiplier[i] = on_front = arrays.multiplier[i] - arrays.passed[i + 1] * on_front;
-      unsound += 0.0 * on_front;
+      substitute_downwards(front.link + front.count - 1 - k, arrays, on_front, unsound);
     };
     const auto step_back = [&](std::size_t k) TAUT_INLINED {
-      const std::size_t i = back.link + k;
-      if (i != links.middle)
-        arrays.multiplier[i] = on_back = arrays.multiplier[i] - arrays.passed[i] * on_back;
-      unsound += 0.0 * on_back;
+      substitute_upwards(links, back.link + k, arrays, on_back, unsound);
     };
     const std::size_t both = std::min(front.count, back.count);
     for (std::size_t k = 0; k < both; ++k) {
-      step_front(front.count - 1 - k);
+      step_front(k);
       step_back(k);
     }
-    for (std::size_t k = both; k < front.count; ++k) step_front(front.count - 1 - k);
+    for (std::size_t k = both; k < front.count; ++k) step_front(k);
     for (std::size_t k = both; k < back.count; ++k) step_back(k);
     if (links.is_short) {
       move_block<wanted>(links, at, links.whole, arrays);
@@ -102,12 +134,12 @@ HWY_INLINE double substitute_all(const ChainLinks& links, const PhaseSums& at, c
       move_block<wanted>(links, at, back, arrays);
     }
   }
-  for (const SingleMass& single : links.singles) move_single<wanted>(links, at, single, arrays);
   return unsound;
 }
 
+// Where there are workers, a thread takes each half. Both ways every number is put together alike.
 template <Wanted wanted>
-HWY_INLINE double solve(const ChainLinks& links, const PhaseSums& at, ChainRoom& room,
+HWY_INLINE double solve(const ChainLinks& links, const PhaseSums& at, Workers* workers, ChainRoom& room,
                         std::vector<double>& multipliers, Vectors& moved) {
   const ChainArrays arrays{
       links.coupling.data(),
@@ -117,50 +149,75 @@ HWY_INLINE double solve(const ChainLinks& links, const PhaseSums& at, ChainRoom&
       room.passed.data(),
       multipliers.data(),
       to_write(moved)};
-  eliminate_all<wanted>(links, at, arrays);
-  return substitute_all<wanted>(links, at, arrays);
+  double unsound = 0.0;
+  if (workers == nullptr) {
+    meet(links, eliminate_both<wanted>(links, at, arrays), arrays);
+    unsound = substitute_both<wanted>(links, at, arrays);
+  } else {
+    BothEliminations last;
+    run_jobs(workers, 2, [&](std::size_t half) {
+      (half == 0 ? last.front : last.back) = eliminate_half<wanted>(links, half == 0, at, arrays);
+    });
+    meet(links, last, arrays);
+    std::array<double, 2> of_halves{};
+    run_jobs(workers, 2, [&](std::size_t half) {
+      of_halves[half] = substitute_half<wanted>(links, half == 0, at, arrays);
+    });
+    unsound = of_halves[0] + of_halves[1];
+  }
+  for (const SingleMass& single : links.singles) move_single<wanted>(links, at, single, arrays);
+  return unsound;
 }
 
-double solve_accelerations(const ChainLinks& links, const PhaseSums& at, ChainRoom& room,
+double solve_accelerations(const ChainLinks& links, const PhaseSums& at, Workers* workers, ChainRoom& room,
                            std::vector<double>& multipliers, Vectors& moved) {
-  return solve<Wanted::acceleration>(links, at, room, multipliers, moved);
+  return solve<Wanted::acceleration>(links, at, workers, room, multipliers, moved);
 }
-double solve_lengths(const ChainLinks& links, const PhaseSums& at, ChainRoom& room,
+double solve_lengths(const ChainLinks& links, const PhaseSums& at, Workers* workers, ChainRoom& room,
                      std::vector<double>& multipliers, Vectors& moved) {
-  return solve<Wanted::length>(links, at, room, multipliers, moved);
+  return solve<Wanted::length>(links, at, workers, room, multipliers, moved);
 }
-double solve_speeds(const ChainLinks& links, const PhaseSums& at, ChainRoom& room,
+double solve_speeds(const ChainLinks& links, const PhaseSums& at, Workers* workers, ChainRoom& room,
                     std::vector<double>& multipliers, Vectors& moved) {
-  return solve<Wanted::speed>(links, at, room, multipliers, moved);
+  return solve<Wanted::speed>(links, at, workers, room, multipliers, moved);
 }
 
-// The largest right side of all links, over the square of their lengths, or over their lengths.
+// The largest right side of a half's links, over the square of their lengths, or over their lengths.
 template <Wanted wanted>
-HWY_INLINE double largest_error(const ChainLinks& links, const PhaseSums& at) {
+HWY_INLINE double largest_error_of(const std::vector<ChainBlock>& half, const ChainLinks& links,
+                                   const PhaseSums& at) {
   LargestMet met;
-  for (const auto* half : {&links.front, &links.back})
-    for (const ChainBlock& block : *half)
-      for_groups(Widest(), 0, block.count, [&](auto tag, std::size_t k) TAUT_INLINED {
-        auto square = hn::Zero(tag), change = hn::Zero(tag);
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-          const auto d = across(tag, at.position[axis] + block.mass + k);
-          square = hn::Add(square, hn::Mul(d, d));
-          if constexpr (wanted == Wanted::speed)
-            change = hn::Add(change, hn::Mul(d, across(tag, at.velocity[axis] + block.mass + k)));
-        }
-        const double* length = links.length.data() + block.link + k;
-        const auto l = hn::LoadU(tag, length);
-        const auto scale = wanted == Wanted::length ? hn::Mul(l, l) : l;
-        met.look(tag, hn::Div(hn::Abs(right_side<wanted>(tag, square, change, length)), scale));
-      });
+  for (const ChainBlock& block : half)
+    for_groups(Widest(), 0, block.count, [&](auto tag, std::size_t k) TAUT_INLINED {
+      auto square = hn::Zero(tag), change = hn::Zero(tag);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto d = across(tag, at.position[axis] + block.mass + k);
+        square = hn::Add(square, hn::Mul(d, d));
+        if constexpr (wanted == Wanted::speed)
+          change = hn::Add(change, hn::Mul(d, across(tag, at.velocity[axis] + block.mass + k)));
+      }
+      const double* length = links.length.data() + block.link + k;
+      const auto l = hn::LoadU(tag, length);
+      const auto scale = wanted == Wanted::length ? hn::Mul(l, l) : l;
+      met.look(tag, hn::Div(hn::Abs(right_side<wanted>(tag, square, change, length)), scale));
+    });
   return met.of_all();
 }
 
-double largest_length_error(const ChainLinks& links, const PhaseSums& at) {
-  return largest_error<Wanted::length>(links, at);
+template <Wanted wanted>
+HWY_INLINE double largest_error(const ChainLinks& links, const PhaseSums& at, Workers* workers) {
+  std::array<double, 2> of_halves{};
+  run_jobs(workers, 2, [&](std::size_t half) {
+    of_halves[half] = largest_error_of<wanted>(half == 0 ? links.front : links.back, links, at);
+  });
+  return larger_or_none(of_halves[0], of_halves[1]);
 }
-double largest_speed_along(const ChainLinks& links, const PhaseSums& at) {
-  return largest_error<Wanted::speed>(links, at);
+
+double largest_length_error(const ChainLinks& links, const PhaseSums& at, Workers* workers) {
+  return largest_error<Wanted::length>(links, at, workers);
+}
+double largest_speed_along(const ChainLinks& links, const PhaseSums& at, Workers* workers) {
+  return largest_error<Wanted::speed>(links, at, workers);
 }
 
 }  // namespace taut::HWY_NAMESPACE
@@ -186,7 +243,9 @@ PhaseSums given(const Vectors& position, const Vectors& velocity) {
 
 }  // namespace
 
-ChainMotion::ChainMotion(ChainLinks links) : links_(std::move(links)) {
+ChainMotion::ChainMotion(ChainLinks links, std::shared_ptr<Workers> workers)
+    : links_(std::move(links)),
+      workers_(links_.count < fewest_to_share_in_halves ? nullptr : std::move(workers)) {
   for (auto& axis : room_.direction) axis.assign(links_.count + 2, 0.0);
   room_.passed.assign(links_.count + 1, 0.0);
   room_.strength.assign(links_.count, 0.0);
@@ -196,27 +255,28 @@ ChainMotion::ChainMotion(ChainLinks links) : links_(std::move(links)) {
 bool ChainMotion::evaluate(const PhaseSums& at, Vectors& acceleration, std::vector<double>& multipliers) {
   acceleration.resize(links_.inverse_mass.size());
   multipliers.resize(links_.count);
-  return HWY_DYNAMIC_DISPATCH(solve_accelerations)(links_, at, room_, multipliers, acceleration) == 0.0;
+  return HWY_DYNAMIC_DISPATCH(solve_accelerations)(links_, at, workers_.get(), room_, multipliers,
+                                                   acceleration) == 0.0;
 }
 
 double ChainMotion::length_error(const Vectors& position) const {
-  return HWY_DYNAMIC_DISPATCH(largest_length_error)(links_, given(position, position));
+  return HWY_DYNAMIC_DISPATCH(largest_length_error)(links_, given(position, position), workers_.get());
 }
 
 double ChainMotion::speed_along(const Vectors& position, const Vectors& velocity) const {
-  return HWY_DYNAMIC_DISPATCH(largest_speed_along)(links_, given(position, velocity));
+  return HWY_DYNAMIC_DISPATCH(largest_speed_along)(links_, given(position, velocity), workers_.get());
 }
 
 bool ChainMotion::correct(Vectors& position) {
-  const double unsound = HWY_DYNAMIC_DISPATCH(solve_lengths)(links_, given(position, position), room_,
-                                                             room_.strength, room_.corrected);
+  const double unsound = HWY_DYNAMIC_DISPATCH(solve_lengths)(
+      links_, given(position, position), workers_.get(), room_, room_.strength, room_.corrected);
   std::swap(position, room_.corrected);
   return unsound == 0.0;
 }
 
 bool ChainMotion::correct(const Vectors& position, Vectors& velocity) {
-  const double unsound = HWY_DYNAMIC_DISPATCH(solve_speeds)(links_, given(position, velocity), room_,
-                                                            room_.strength, room_.corrected);
+  const double unsound = HWY_DYNAMIC_DISPATCH(solve_speeds)(links_, given(position, velocity), workers_.get(),
+                                                            room_, room_.strength, room_.corrected);
   std::swap(velocity, room_.corrected);
   return unsound == 0.0;
 }

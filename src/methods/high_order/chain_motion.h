@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/workers.h"
 #include "direct/link_system.h"
 #include "high_order/phase_sums.h"
 #include "model/model.h"
@@ -55,10 +56,11 @@ struct ChainRoom {
   Vectors corrected;
 };
 
-/// The equations of motion of such chains, in two passes over memory, and the way back onto their links.
+/// The equations of motion of such chains, in two passes over memory, and the way back onto their links. Of
+/// long ones two threads take a half each, with the same bits.
 class ChainMotion {
  public:
-  explicit ChainMotion(ChainLinks links);
+  ChainMotion(ChainLinks links, std::shared_ptr<Workers> workers);
 
   /// Accelerations and multipliers (N/m) there. False when the links' system is singular, or something is not
   /// finite.
@@ -77,11 +79,13 @@ class ChainMotion {
 
  private:
   ChainLinks links_;
+  std::shared_ptr<Workers> workers_;  // null: the calling thread alone
   ChainRoom room_;
 };
 
 /// Nothing where masses do not follow each other, or something but gravity and rigid links acts; stops on
 /// angles that are not held don't count.
-std::unique_ptr<ChainMotion> make_chain_motion(const Model& model, const LinkSystem& system);
+std::unique_ptr<ChainMotion> make_chain_motion(const Model& model, const LinkSystem& system,
+                                               const std::shared_ptr<Workers>& workers);
 
 }  // namespace taut

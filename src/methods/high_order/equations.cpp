@@ -27,12 +27,12 @@ double smallest_square(const Vectors& vectors) {
 
 }  // namespace
 
-Equations::Equations(const Model& model, const State& state)
+Equations::Equations(const Model& model, const State& state, const std::shared_ptr<Workers>& workers)
     : model_(model),
       whole_(state),
       system_(make_link_system(model, whole_rigid_links(model, state))),
       springs_(gather_springs(model, state)),
-      chains_(springs_.empty() ? make_chain_motion(model, system_) : nullptr),
+      chains_(springs_.empty() ? make_chain_motion(model, system_, workers) : nullptr),
       border_(model),
       no_compliance_(system_.links.size(), 0.0) {}
 

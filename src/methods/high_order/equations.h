@@ -23,7 +23,7 @@ namespace taut {
 class Equations {
  public:
   /// For the links that are whole in `state`.
-  Equations(const Model& model, const State& state);
+  Equations(const Model& model, const State& state, const std::shared_ptr<Workers>& workers = nullptr);
 
   /// The stops that are held from now on.
   void hold(const std::vector<HeldStop>& stops);

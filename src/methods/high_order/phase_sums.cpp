@@ -25,15 +25,29 @@ void write_all(const PhaseSums& at, Phase& phase) {
                });
 }
 
-LargestSums largest_of_all(const VectorSums& sums, std::size_t masses) {
-  LargestMet position, velocity;
+std::array<LargestSums, 2> write_and_look(const PhaseSums& at, const std::array<VectorSums, 2>& others,
+                                          std::size_t begin, std::size_t end, Phase& phase) {
+  const AxesToWrite positions = to_write(phase.position), velocities = to_write(phase.velocity);
+  std::array<LargestMet, 2> in_position, in_velocity;
   for (std::size_t axis = 0; axis < 3; ++axis)
-    for_sums(sums, axis, 0, masses,
-             [&](auto tag, std::size_t, auto in_position, auto in_velocity) TAUT_INLINED {
-               position.look(tag, hn::Abs(in_position));
-               velocity.look(tag, hn::Abs(in_velocity));
-             });
-  return {position.of_all(), velocity.of_all()};
+    for_groups(Widest(), begin, end, [&](auto tag, std::size_t i) TAUT_INLINED {
+      SumsOfOne sums(tag), first(tag), second(tag);
+      for (std::size_t j = 0; j < at.sums.count; ++j) {
+        const auto value = hn::LoadU(tag, at.sums.terms[j].axes[axis] + i);
+        sums.add(tag, at.sums.terms[j], value);
+        first.add(tag, others[0].terms[j], value);
+        second.add(tag, others[1].terms[j], value);
+      }
+      move_on(tag, at, axis, i, sums);
+      hn::StoreU(sums.position, tag, positions[axis] + i);
+      hn::StoreU(sums.velocity, tag, velocities[axis] + i);
+      in_position[0].look(tag, hn::Abs(first.position));
+      in_velocity[0].look(tag, hn::Abs(first.velocity));
+      in_position[1].look(tag, hn::Abs(second.position));
+      in_velocity[1].look(tag, hn::Abs(second.velocity));
+    });
+  return {{{in_position[0].of_all(), in_velocity[0].of_all()},
+           {in_position[1].of_all(), in_velocity[1].of_all()}}};
 }
 
 }  // namespace taut::HWY_NAMESPACE
@@ -44,7 +58,7 @@ HWY_AFTER_NAMESPACE();
 namespace taut {
 
 HWY_EXPORT(write_all);
-HWY_EXPORT(largest_of_all);
+HWY_EXPORT(write_and_look);
 
 void write_phase(const PhaseSums& at, Phase& phase) {
   phase.position.resize(at.masses);
@@ -52,8 +66,24 @@ void write_phase(const PhaseSums& at, Phase& phase) {
   HWY_DYNAMIC_DISPATCH(write_all)(at, phase);
 }
 
-LargestSums largest_sums(const VectorSums& sums, std::size_t masses) {
-  return HWY_DYNAMIC_DISPATCH(largest_of_all)(sums, masses);
+std::array<LargestSums, 2> write_phase(const PhaseSums& at, const std::array<VectorSums, 2>& others,
+                                       Workers* workers, Phase& phase) {
+  phase.position.resize(at.masses);
+  phase.velocity.resize(at.masses);
+  const auto part = [&](std::size_t begin, std::size_t end) {
+    return HWY_DYNAMIC_DISPATCH(write_and_look)(at, others, begin, end, phase);
+  };
+  if (workers == nullptr || at.masses < fewest_to_share_in_halves) return part(0, at.masses);
+  std::array<std::array<LargestSums, 2>, 2> of_halves;
+  const std::size_t middle = at.masses / 2;
+  run_jobs(workers, 2, [&](std::size_t half) {
+    of_halves[half] = half == 0 ? part(0, middle) : part(middle, at.masses);
+  });
+  std::array<LargestSums, 2> largest;
+  for (std::size_t i = 0; i < largest.size(); ++i)
+    largest[i] = {larger_or_none(of_halves[0][i].position, of_halves[1][i].position),
+                  larger_or_none(of_halves[0][i].velocity, of_halves[1][i].velocity)};
+  return largest;
 }
 
 }  // namespace taut

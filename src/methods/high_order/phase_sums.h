@@ -1,12 +1,23 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 #include "axes.h"
 #include "base/vectors.h"
+#include "base/workers.h"
 
 namespace taut {
+
+/// So many masses, or links, at least are shared between threads: a half of them takes some ten microseconds,
+/// beside which to call a thread is nothing.
+inline constexpr std::size_t fewest_to_share_in_halves = 4096;
+
+/// The larger of two; NaN where one of them is.
+inline double larger_or_none(double a, double b) {
+  return std::isnan(a) || a > b ? a : b;
+}
 
 /// Positions and velocities of all masses.
 struct Phase {
@@ -20,12 +31,11 @@ struct VectorSums {
     AxesToRead axes;
     double in_position, in_velocity;  ///< weights
   };
-  static constexpr std::size_t most = 20;
+  static constexpr std::size_t most = 20;  ///< the interpolant's
   std::array<Term, most> terms{};
   std::size_t count = 0;
 
   void add(const Vectors& vectors, double in_position, double in_velocity) {
-    if (in_position == 0.0 && in_velocity == 0.0) return;
     terms[count++] = {to_read(vectors), in_position, in_velocity};
   }
 };
@@ -55,6 +65,10 @@ void write_phase(const PhaseSums& at, Phase& phase);
 struct LargestSums {
   double position = 0.0, velocity = 0.0;
 };
-LargestSums largest_sums(const VectorSums& sums, std::size_t masses);
+
+/// Works the sums out, and looks at two others over the same vectors: memory is read once for all. Two of
+/// the workers, if any, share many masses.
+std::array<LargestSums, 2> write_phase(const PhaseSums& at, const std::array<VectorSums, 2>& others,
+                                       Workers* workers, Phase& phase);
 
 }  // namespace taut

@@ -56,10 +56,29 @@ constexpr std::array<StageWeights, count> for_both(const std::array<Row, count>&
   return all;
 }
 
-/// Those of the stages (over h² and h), of the estimates of a step's error, and of the interpolant.
+/// The same of some rows that are worked out at once: with 0 where another of them has a weight.
+template <std::size_t count>
+constexpr std::array<StageWeights, count> for_both_at_once(const std::array<Row, count>& rows) {
+  std::array<StageWeights, count> all{};
+  for (std::size_t j = 0; j < all_stages; ++j) {
+    bool any = false;
+    for (const Row& row : rows) any = any || row[j] != 0.0 || for_positions(row)[j] != 0.0;
+    if (!any) continue;
+    for (std::size_t i = 0; i < count; ++i) {
+      StageWeights& one = all[i];
+      one.stage[one.count] = j;
+      one.position[one.count] = for_positions(rows[i])[j];
+      one.velocity[one.count++] = rows[i][j];
+    }
+  }
+  return all;
+}
+
+/// Those of the stages (over h² and h), of the interpolant, and of a step's end with the estimates of its
+/// error, of order 5 and of order 3.
 inline constexpr auto stage_sums = for_both(weights);
-inline constexpr StageWeights fifth_order_error_sums = for_both(fifth_order_error),
-                              third_order_error_sums = for_both(third_order_error);
 inline constexpr auto interpolant_sums = for_both(interpolant);
+inline constexpr auto end_sums =
+    for_both_at_once(std::array{weights[stages], fifth_order_error, third_order_error});
 
 }  // namespace taut::dop853

@@ -49,16 +49,18 @@ double largest_norm(const Vectors& vectors) {
 
 }  // namespace
 
-HighOrderStepper::HighOrderStepper(const Model& model, double tolerance)
+HighOrderStepper::HighOrderStepper(const Model& model, double tolerance, std::shared_ptr<Workers> workers)
     : model_(model),
       tolerance_(tolerance),
+      workers_(std::move(workers)),
       kinks_(times_of_kinks(model)),
       watch_(model),
-      runge_kutta_(model) {}
+      runge_kutta_(model, workers_.get()) {}
 
 void HighOrderStepper::load(const State& state) {
+  keep_end();
   if (!equations_ || state.broken_at != state_.broken_at)
-    equations_ = std::make_shared<Equations>(model_, state);
+    equations_ = std::make_shared<Equations>(model_, state, workers_);
   state_ = state;
   begun_ = false;
 }
@@ -136,13 +138,12 @@ HighOrderStepper::Attempt HighOrderStepper::attempt(double h, double most_error,
     tried.status = StepStatus::factorisation_failed;
     return tried;
   }
-  tried.error = runge_kutta_.error(tolerance_, velocity_weight * tolerance_);
+  tried.error = runge_kutta_.end(tolerance_, velocity_weight * tolerance_, end_);
   if (!std::isfinite(tried.error)) tried.status = StepStatus::not_finite;
   tried.good = tried.error <= most_error;
   if (!tried.good) return tried;
   tried.good = false;
   const double end_time = time_after(h);
-  runge_kutta_.end(end_);
   place_pins(model_, end_time, end_.position, end_.velocity);
   report.link_solves += static_cast<std::int64_t>(equations_->rows());
   ++report.factorisations;
@@ -249,9 +250,9 @@ void HighOrderStepper::take_over(double h) {
   last_.held = state_.own_steps.held;
   last_.begin = state_.time;
   last_.end = time_after(h);
-  last_.phase = end_;
-  last_.acceleration = end_acceleration_;
+  last_.end_is_kept = false;
   last_.interpolant = false;
+  runge_kutta_.keep_start(state_.position, state_.velocity, acceleration_);
   std::swap(state_.position, end_.position);
   std::swap(state_.velocity, end_.velocity);
   std::swap(state_.tension, end_tension_);
@@ -260,12 +261,22 @@ void HighOrderStepper::take_over(double h) {
   state_.time = last_.end;
 }
 
+// To be called before the state becomes something else than the end of the last step.
+void HighOrderStepper::keep_end() {
+  if (!last_.equations || last_.end_is_kept) return;
+  last_.end_is_kept = true;
+  last_.phase.position = state_.position;
+  last_.phase.velocity = state_.velocity;
+  last_.acceleration = acceleration_;
+}
+
 // What happens at an event: links are told of, and left to the run; stops are settled anew.
 void HighOrderStepper::pass_event(StepReport& report) {
   breaking_ = watch_.breaking(state_.position, *equations_);
   if (!breaking_.empty()) return;
   crowded_ = state_.time - last_event_ < crowd ? crowded_ + 1 : 0;
   last_event_ = state_.time;
+  keep_end();
   if (crowded_ > most_crowded) {
     report.status = StepStatus::chattering;
     return;
@@ -278,6 +289,14 @@ void HighOrderStepper::pass_event(StepReport& report) {
   look_again(report);
 }
 
+bool HighOrderStepper::prepare_last_interpolant() {
+  Equations& equations = *last_.equations;
+  return last_.end_is_kept
+             ? runge_kutta_.prepare_interpolant(equations, last_.phase.position, last_.phase.velocity,
+                                                last_.acceleration)
+             : runge_kutta_.prepare_interpolant(equations, state_.position, state_.velocity, acceleration_);
+}
+
 State HighOrderStepper::between(double time) {
   State state = state_;
   state.time = time;
@@ -285,8 +304,7 @@ State HighOrderStepper::between(double time) {
     if (broken_at > time) broken_at = infinity;
   Equations& equations = *last_.equations;
   equations.hold(last_.held);
-  if (!last_.interpolant)
-    last_.interpolant = runge_kutta_.prepare_interpolant(equations, last_.phase, last_.acceleration);
+  if (!last_.interpolant) last_.interpolant = prepare_last_interpolant();
   runge_kutta_.between((time - last_.begin) / (last_.end - last_.begin), between_);
   state.position = between_.position;
   state.velocity = between_.velocity;

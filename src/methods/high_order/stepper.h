@@ -18,7 +18,7 @@ namespace taut {
 /// thresholds are told of, and it is the run that breaks them.
 class HighOrderStepper final : public Stepper {
  public:
-  HighOrderStepper(const Model& model, double tolerance);
+  HighOrderStepper(const Model& model, double tolerance, std::shared_ptr<Workers> workers);
 
   void load(const State& state) override;
   StepReport step(double h, double end_time) override;
@@ -42,12 +42,13 @@ class HighOrderStepper final : public Stepper {
     double error = infinity;
     bool good = false;  // made to its end, with an error that is allowed
   };
-  // The last step, for between().
+  // The last step, for between(). Its end is the state's, until that becomes something else.
   struct LastStep {
     std::shared_ptr<Equations> equations;
     std::vector<HeldStop> held;
     double begin = 0.0, end = 0.0;  // s
-    Phase phase;                    // at its end, with its accelerations
+    bool end_is_kept = false;
+    Phase phase;  // at its end, with its accelerations, if kept
     Vectors acceleration;
     bool interpolant = false;
   };
@@ -64,10 +65,13 @@ class HighOrderStepper final : public Stepper {
   double past_between(double share, StepReport& report);
   bool prepare_interpolant(StepReport& report);
   void take_over(double h);
+  void keep_end();
+  bool prepare_last_interpolant();
   void pass_event(StepReport& report);
 
   const Model& model_;
   double tolerance_;
+  std::shared_ptr<Workers> workers_;
   std::vector<double> kinks_;  // s, rising: where a force or a driven pin's path is not smooth
   State state_;
   std::shared_ptr<Equations> equations_;  // of what is whole in it

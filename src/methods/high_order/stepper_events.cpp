@@ -47,7 +47,7 @@ bool HighOrderStepper::may_have_passed() const {
 
 bool HighOrderStepper::prepare_interpolant(StepReport& report) {
   report.link_solves += static_cast<std::int64_t>(3 * equations_->rows());
-  return runge_kutta_.prepare_interpolant(*equations_, end_, end_acceleration_);
+  return runge_kutta_.prepare_interpolant(*equations_, end_.position, end_.velocity, end_acceleration_);
 }
 
 // What is past at a share of the step in hand.

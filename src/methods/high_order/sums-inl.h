@@ -60,34 +60,40 @@ struct LargestMet {
   }
 };
 
-// Calls use(tag, i, position, velocity) with sums of a coordinate. One coordinate after the other is what
-// memory likes: a dozen streams at once, not forty.
-template <class Use>
-HWY_INLINE void for_sums(const VectorSums& sums, std::size_t axis, std::size_t begin, std::size_t end,
-                         const Use& use) {
-  for_groups(Widest(), begin, end, [&](auto tag, std::size_t i) TAUT_INLINED {
-    auto position = hn::Zero(tag), velocity = hn::Zero(tag);
-    for (std::size_t j = 0; j < sums.count; ++j) {
-      const VectorSums::Term& term = sums.terms[j];
-      const auto value = hn::LoadU(tag, term.axes[axis] + i);
-      position = hn::Add(position, hn::Mul(hn::Set(tag, term.in_position), value));
-      velocity = hn::Add(velocity, hn::Mul(hn::Set(tag, term.in_velocity), value));
-    }
-    use(tag, i, position, velocity);
-  });
+// Sums of a coordinate of as many masses as vectors have lanes.
+template <class D>
+struct SumsOfOne {
+  hn::Vec<D> position, velocity;
+
+  HWY_INLINE explicit SumsOfOne(D tag) : position(hn::Zero(tag)), velocity(hn::Zero(tag)) {}
+
+  HWY_INLINE void add(D tag, const VectorSums::Term& term, hn::Vec<D> value) {
+    position = hn::Add(position, hn::Mul(hn::Set(tag, term.in_position), value));
+    velocity = hn::Add(velocity, hn::Mul(hn::Set(tag, term.in_velocity), value));
+  }
+};
+
+// From what masses have moved to where they are. What is small is summed first.
+template <class D>
+HWY_INLINE void move_on(D tag, const PhaseSums& at, std::size_t axis, std::size_t i, SumsOfOne<D>& sums) {
+  const auto before = hn::LoadU(tag, at.velocity[axis] + i);
+  const auto moved = hn::Add(hn::Mul(hn::Set(tag, at.drift), before), sums.position);
+  sums.position = hn::Add(hn::LoadU(tag, at.position[axis] + i), moved);
+  sums.velocity = hn::Add(before, sums.velocity);
 }
 
-// The same with a coordinate of masses.
+// Calls use(tag, i, position, velocity) with a coordinate of masses. One coordinate after the other is what
+// memory likes: a dozen streams at once, not forty.
 template <class Use>
 HWY_INLINE void for_phases(const PhaseSums& at, std::size_t axis, std::size_t begin, std::size_t end,
                            const Use& use) {
-  for_sums(at.sums, axis, begin, end,
-           [&](auto tag, std::size_t i, auto position, auto velocity) TAUT_INLINED {
-             const auto before = hn::LoadU(tag, at.velocity[axis] + i);
-             // What is small is summed first.
-             const auto moved = hn::Add(hn::Mul(hn::Set(tag, at.drift), before), position);
-             use(tag, i, hn::Add(hn::LoadU(tag, at.position[axis] + i), moved), hn::Add(before, velocity));
-           });
+  for_groups(Widest(), begin, end, [&](auto tag, std::size_t i) TAUT_INLINED {
+    SumsOfOne sums(tag);
+    for (std::size_t j = 0; j < at.sums.count; ++j)
+      sums.add(tag, at.sums.terms[j], hn::LoadU(tag, at.sums.terms[j].axes[axis] + i));
+    move_on(tag, at, axis, i, sums);
+    use(tag, i, sums.position, sums.velocity);
+  });
 }
 
 }  // namespace taut::HWY_NAMESPACE

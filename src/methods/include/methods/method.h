@@ -182,10 +182,11 @@ class Stepper {
 /// What a method costs on a usual processor (ns): what searches and charts predict times from before they
 /// measure them.
 struct Prices {
-  double step = 10.0;   ///< a link, of every step
-  double solve = 10.0;  ///< one of StepReport::link_solves
-  double factor = 2.0;  ///< of a factorisation, to be multiplied by rows^1.5
-  double round = 0.0;   ///< one of StepReport::rounds, whatever the model
+  double step = 10.0;       ///< a link, of every step
+  double solve = 10.0;      ///< one of StepReport::link_solves, in chains and trees
+  double net_solve = 10.0;  ///< the same in nets
+  double factor = 0.0;      ///< of a net's factorisation, to be multiplied by rows^1.5
+  double round = 0.0;       ///< one of StepReport::rounds, whatever the model
 };
 
 /// How finely settings make a method run, for people: "at 600 steps/s", or "within 1e-06 m a step".
