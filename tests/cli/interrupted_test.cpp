@@ -112,7 +112,7 @@ TEST_P(InterruptedTest, EndsInTheMiddleOfAStep) {
   const TemporaryFolder folder;
   const auto [signal, status] = GetParam();
   // An eye that is given, and no ground: looking for where they go would run the net coarsely before the
-  // step.
+  // step. It is hidden, so that the film begins at once, and not when the step is nearly done.
   const std::string scene = folder.write("net.toml", R"([world]
 duration = 1
 [camera]
@@ -125,6 +125,7 @@ method = "newton"
 steps_per_second = 30
 [[sheet]]
 name = "net"
+visible = false
 rows = 160
 columns = 160
 from = [0, 3, 0]
