@@ -7,6 +7,7 @@
 #include <span>
 
 #include "backdrop.h"
+#include "blockers.h"
 #include "geometry/frame_block.h"
 #include "geometry/palette.h"
 #include "geometry/region.h"
@@ -45,10 +46,11 @@ std::string steps_of(const RenderSettings& settings) {
   return settings.bits == 16 ? "STEPS 65535.0" : "STEPS 255.0";
 }
 
-// What shaders/frame.glsl, dither.glsl and surface.frag take as numbers.
+// What shaders/frame.glsl, dither.glsl, soft_shadow.glsl and surface.frag take as numbers.
 Defines constants_of(const Look& look, const RenderSettings& settings) {
   const Palette colours = palette(look.theme);
   return {steps_of(settings),
+          "LIGHT_SPREAD " + std::to_string(light_spread),
           constant("TO_LIGHT", direction_to_light()),
           constant("LIGHT", colours.light),
           constant("AMBIENT_BELOW", colours.ambient_below),
@@ -126,7 +128,8 @@ class Renderer::Drawing {
   FrameUniforms uniforms_;
   PictureTarget target_;
   std::optional<ShadowMap> shadow_map_;
-  std::optional<GroundShades> ground_shades_;  // where there are shadows
+  std::optional<Blockers> blockers_;           // where there are shadows
+  std::optional<GroundShades> ground_shades_;  // the same
   FrameBlock light_;                           // of the shadow map
   SquarePainter spheres_, links_;
   SurfacePainter surface_;
@@ -159,6 +162,7 @@ Renderer::Drawing::Drawing(const GlContext& context, const Look& look, const Ren
   if (look.colour_by != ColourBy::plain) font_ = Font::load();
   if (look.shadows && settings.shadow_map_size > 0) {
     shadow_map_.emplace(gl_, settings.shadow_map_size);
+    blockers_.emplace(gl_, library_, settings.shadow_map_size);
     ground_shades_.emplace(gl_, library_, settings.shadow_map_size);
   }
 }
@@ -222,6 +226,9 @@ void Renderer::Drawing::draw_shadow_map(const Geometry& geometry) {
   draw_casters(geometry);
   gl_.disable(GL_POLYGON_OFFSET_FILL);
   shadow_map_->bind_for_reading();
+  // All else is too small to show how wide the edge of a shadow is.
+  if (!geometry.surface.vertices.empty() || !geometry.bodies.empty() || !geometry.lines.arrows.empty())
+    blockers_->draw(*shadow_map_);
   if (geometry.surface.vertices.empty()) return;
   const FrameBlock block = camera(geometry);
   uniforms_.load(block);
