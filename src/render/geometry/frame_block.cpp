@@ -132,6 +132,10 @@ float contact_height(const CameraPose& pose) {
   return 0.08F * reach_of(pose);
 }
 
+float shade_reach(const CameraPose& pose) {
+  return 0.05F * reach_of(pose);
+}
+
 FrameBlock contact_block(const Geometry& geometry, const GroundPatch& ground, int map_size) {
   const glm::mat4 turn = glm::lookAt(glm::vec3(0.0F), ground.normal, ground.across);
   const DrawnBox seen = bounds_after(turn, geometry.bounds);
