@@ -5,8 +5,9 @@
 #ifdef SHADOWS
 uniform sampler2D blocker_map;  // blockers.frag
 
-// Radii in texels of the sharpest shadow's edge, and of the widest that eight taps are close enough together for.
-const float sharpest = 2.4, widest = 14.0;
+// Radii of the sharpest shadow's edge, in texels, and of the widest that eight taps are close enough together for, in
+// widths of the map.
+const float sharpest = 2.4, widest = 0.014;
 
 /// How far off what is in the light's way at a place in the map is, on the mean, in depths. With the weights w of
 /// blockers.frag it is ∑ w (z − depth)² over ∑ w (z − depth): what is as deep as the place itself doesn't count.
@@ -21,7 +22,7 @@ float distance_of_blockers(vec3 at) {
 /// The mean share of the light on a part of a surface; right and up: unit vectors along it, as seen in the map.
 float light_on(vec3 at, vec3 right, vec3 up, vec2 least) {
   float penumbra = distance_of_blockers(at) * (LIGHT_SPREAD / shadow.w);
-  float radius = clamp(penumbra, sharpest * shadow.y, widest * shadow.y);
+  float radius = clamp(penumbra, sharpest * shadow.y, max(widest, sharpest * shadow.y));
   right *= max(radius, least.x);
   up *= max(radius, least.y);
   // Spread so that along and across an edge each is as far from the next.

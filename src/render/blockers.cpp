@@ -11,15 +11,18 @@ namespace {
 constexpr int nearer = 30;
 // Texels of the shadow map that a texel stands for, each way. Each sees twice as many, so that with those
 // beside it it sees as far as penumbras reach.
-constexpr int span = 8;
+int span_of(int map_size) {
+  constexpr int least = 8, texels = 128;
+  return std::max(least, map_size / texels);
+}
 
 }  // namespace
 
 Blockers::Blockers(const Gl& gl, const ShaderLibrary& library, int map_size)
     : gl_(&gl),
-      side_(std::max(map_size / span, 1)),
+      side_(std::max(map_size / span_of(map_size), 1)),
       program_(gl, library, "whole.vert", "blockers.frag",
-               {fmt::format("SPAN {}", span), fmt::format("NEARER {}.0", nearer)}),
+               {fmt::format("SPAN {}", span_of(map_size)), fmt::format("NEARER {}.0", nearer)}),
       no_attributes_(make_vertex_array(gl)),
       texture_(make_texture(gl)),
       framebuffer_(make_framebuffer(gl)) {
