@@ -12,7 +12,9 @@ namespace taut {
 namespace {
 
 // What is smaller than so much of the reach neither hides anything nor shows that it is hidden.
-constexpr float least_size = 0.1F;
+constexpr float least_size = 0.15F;
+// Rods of a radius of less than so much of it are thin.
+constexpr float thin_rod = 0.25F;
 
 /// A ball around a thing (m).
 struct Surrounded {
@@ -84,20 +86,52 @@ class ContactShader {
     return !near_.empty();
   }
 
-  /// How open each of points_ is, into a tile that is filled by calling at(i) for the place of the i-th.
-  template <typename At>
-  void fill(const At& at) {
+  /// Works out how open each of points_ is, 0 to 255.
+  const std::vector<std::uint8_t>& worked_out() {
     for (const Hider* hider : near_) points_.hide_by(*hider, reach_);
+    open_.clear();
     for (std::size_t i = 0; i < points_.size(); ++i)
-      at(i) = static_cast<std::uint8_t>(std::lround(255.0F * points_.openness(i)));
+      open_.push_back(static_cast<std::uint8_t>(std::lround(255.0F * points_.openness(i))));
+    return open_;
   }
 
   void shade(TaperedRod& rod, std::size_t thing) {
     if (!find_near(balls_[thing], thing)) return;
+    // Of which two rows each is the mean: a ball has no length, and a thin rod's ends need no rows of their
+    // own half way to their tips, and half as many columns.
+    std::array<std::array<std::size_t, 2>, rod_tile.y> from{
+        {{0, 0}, {1, 1}, {2, 2}, {3, 3}, {4, 4}, {5, 5}, {6, 6}}};
+    if (rod.start == rod.end) from[3] = from[4] = from[2];
+    const bool thin = std::max(rod.start_radius, rod.end_radius) < thin_rod * reach_;
+    if (thin) {
+      from[1] = {0, 2};
+      from[5] = {from[4][0], 6};
+    }
+    constexpr std::size_t columns = rod_tile.x - 1, last_row = rod_tile.y - 1;
+    const std::size_t step = thin ? 2 : 1;
+    std::array<std::size_t, rod_tile.y> first{};
     points_.clear();
-    for (int row = 0; row < rod_tile.y; ++row)
-      for (int column = 0; column + 1 < rod_tile.x; ++column) add_rod_point(rod, row, column);
-    rod.shade = add_rings(rod_tile);
+    for (std::size_t row = 0; row <= last_row; ++row) {
+      if (from[row][0] != row) continue;
+      first[row] = points_.size();
+      const bool tip = row == 0 || row == last_row;
+      for (std::size_t column = 0; column < (tip ? 1 : columns); column += step)
+        add_rod_point(rod, row, column);
+    }
+    const std::vector<std::uint8_t>& open = worked_out();
+    const auto point = [&](std::size_t row, std::size_t column) {
+      const bool tip = row == 0 || row == last_row;
+      return int{open[first[row] + (tip ? 0 : column % columns / step)]};
+    };
+    const ShadeTiles::Tile made = bodies_.shades.add(rod_tile);
+    for (std::size_t row = 0; row <= last_row; ++row)
+      for (std::size_t column = 0; column <= columns; ++column) {
+        int sum = 2;  // so that a fourth of it is rounded
+        for (const std::size_t near_row : from[row])
+          sum += point(near_row, column) + point(near_row, column + column % step);
+        made[row * ShadeTiles::width + column] = static_cast<std::uint8_t>(sum / 4);
+      }
+    rod.shade = made.corner;
   }
 
   void shade(TorsoRecord& torso, std::size_t thing) {
@@ -111,21 +145,17 @@ class ContactShader {
           glm::normalize(glm::cross(axes[1], axes[2]) * vertex.outward.x +
                          glm::cross(axes[2], axes[0]) * vertex.outward.y +
                          glm::cross(axes[0], axes[1]) * vertex.outward.z));
-    torso.shade = add_rings(torso_tile);
-  }
-
-  /// A tile of rings, one above the other, each of which comes round again.
-  glm::vec2 add_rings(const glm::ivec2& tile) {
-    const auto columns = static_cast<std::size_t>(tile.x - 1);
-    const ShadeTiles::Tile made = bodies_.shades.add(tile);
-    fill([&](std::size_t i) -> std::uint8_t& { return made[i / columns * ShadeTiles::width + i % columns]; });
-    for (std::size_t row = 0; row < static_cast<std::size_t>(tile.y); ++row)
-      made[row * ShadeTiles::width + columns] = made[row * ShadeTiles::width];
-    return made.corner;
+    const std::vector<std::uint8_t>& open = worked_out();
+    const ShadeTiles::Tile made = bodies_.shades.add(torso_tile);
+    const std::size_t columns = torso_tile.x - 1;
+    for (std::size_t row = 0; row < static_cast<std::size_t>(torso_tile.y); ++row)
+      for (std::size_t column = 0; column <= columns; ++column)
+        made[row * ShadeTiles::width + column] = open[row * columns + column % columns];
+    torso.shade = made.corner;
   }
 
   // As shaders/rod.vert places its vertices.
-  void add_rod_point(const TaperedRod& rod, int row, int column) {
+  void add_rod_point(const TaperedRod& rod, std::size_t row, std::size_t column) {
     const glm::vec3& squeeze = rod.squeeze;
     const auto unsqueezed = [&](const glm::vec3& v) {
       return v + squeeze * (glm::dot(squeeze, v) / (1.0F - glm::dot(squeeze, squeeze)));
@@ -140,7 +170,7 @@ class ContactShader {
     // Tip, half way, the start's seam, the middle, the end's seam, half way, tip.
     constexpr std::array<float, 7> tilts{-1.0F, -0.5F, 0.0F, 0.0F, 0.0F, 0.5F, 1.0F};
     constexpr std::array<float, 7> ends{0.0F, 0.0F, 0.0F, 0.5F, 1.0F, 1.0F, 1.0F};
-    const float tilt = tilts.at(static_cast<std::size_t>(row)), end = ends.at(static_cast<std::size_t>(row));
+    const float tilt = tilts.at(row), end = ends.at(row);
     constexpr float half_turn = std::numbers::pi_v<float>;
     const float latitude = seam + std::abs(tilt) * (std::copysign(0.5F * half_turn, tilt) - seam);
     const float angle = 2.0F * half_turn * static_cast<float>(column) / static_cast<float>(rod_tile.x - 1);
@@ -172,10 +202,11 @@ class ContactShader {
     }
     const auto row = static_cast<std::size_t>(cells + 1);
     const ShadeTiles::Tile made = bodies_.shades.add({3 * row, 2 * row});
-    fill([&](std::size_t i) -> std::uint8_t& {
+    const std::vector<std::uint8_t>& open = worked_out();
+    for (std::size_t i = 0; i < open.size(); ++i) {
       const std::size_t face = i / (row * row), y = i / row % row, x = i % row;
-      return made[(face % 2 * row + y) * ShadeTiles::width + face / 2 * row + x];
-    });
+      made[(face % 2 * row + y) * ShadeTiles::width + face / 2 * row + x] = open[i];
+    }
     box.shade = glm::vec3(made.corner, cells);
   }
 
@@ -190,7 +221,7 @@ class ContactShader {
           mesh.axes[0] * vertex.normal.x + mesh.axes[1] * vertex.normal.y + mesh.axes[2] * vertex.normal.z);
     const std::size_t rows = (points_.size() + ShadeTiles::width - 1) / ShadeTiles::width;
     const ShadeTiles::Tile made = bodies_.shades.add({ShadeTiles::width, rows});
-    fill([&](std::size_t i) -> std::uint8_t& { return made[i]; });
+    std::ranges::copy(worked_out(), made.first);
     mesh.shade = static_cast<int>(made.corner.y);
   }
 
@@ -201,6 +232,7 @@ class ContactShader {
   std::vector<std::size_t> order_;  // of those that are large enough, by their centres' x
   std::vector<const Hider*> near_;
   ShadedPoints points_;
+  std::vector<std::uint8_t> open_;
 };
 
 }  // namespace

@@ -133,7 +133,7 @@ float contact_height(const CameraPose& pose) {
 }
 
 float shade_reach(const CameraPose& pose) {
-  return 0.05F * reach_of(pose);
+  return 0.04F * reach_of(pose);
 }
 
 FrameBlock contact_block(const Geometry& geometry, const GroundPatch& ground, int map_size) {

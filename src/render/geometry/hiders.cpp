@@ -21,9 +21,9 @@ std::array<glm::vec3, 3> axes_along(const glm::vec3& first) {
   return {first, second, glm::cross(first, second)};
 }
 
+// Without comparisons, which would make branches.
 float within(float value, float limit) {
-  const float below = value < limit ? value : limit;
-  return below > -limit ? below : -limit;
+  return 0.5F * (std::abs(value + limit) - std::abs(value - limit));
 }
 
 float positive(float value) {
@@ -54,7 +54,7 @@ float share_hidden(const Seen& seen, const glm::vec3& place, const glm::vec3& no
   // The ball in it that is nearest.
   const float radius = hider.radius + hider.taper * along;
   const float inverse = inverse_root(square), sine = radius * inverse;
-  const float rise = sine < 1.0F ? sine : 1.0F;  // so far it reaches above the horizon, seen from its foot
+  const float rise = within(sine, 1.0F);  // so far it reaches above the horizon, seen from its foot
   const float away = positive(square * inverse - radius);
   const float near = positive(1.0F - away / seen.reach);
   const float area = outline * inverse;
@@ -109,7 +109,7 @@ Hider hider_of(const BoxRecord& box) {
 Hider hider_of(const GroundPatch& ground, float reach) {
   // A slab with its surface there, as far as anything is seen.
   return {-ground.normal * (ground.height + 2.0F * reach), axes_along(ground.normal),
-          reach * glm::vec3(1.0F, 1e4F, 1e4F), reach};
+          reach * glm::vec3(1.0F, 200.0F, 200.0F), reach};
 }
 
 float distance_to(const Hider& hider, const glm::vec3& place) {

@@ -31,8 +31,8 @@ inline constexpr glm::vec2 no_shade{-1.0F};
 
 /// Columns and rows of a rod's tile: around it, the first column again as the last; from tip to tip, with the
 /// seams of both halves and the middle of what is between them.
-inline constexpr glm::ivec2 rod_tile{9, 7};
+inline constexpr glm::ivec2 rod_tile{13, 7};
 /// The same of a trunk's.
-inline constexpr glm::ivec2 torso_tile{13, 9};
+inline constexpr glm::ivec2 torso_tile{11, 9};
 
 }  // namespace taut
