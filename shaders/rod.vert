@@ -35,7 +35,7 @@ void main() {
   painted = mix(start_colour.rgb, end_colour.rgb, unit.w);
 #ifdef CONTACT
   float row = unit.z < 0.0 ? 2.0 + 2.0 * unit.z : unit.z > 0.0 ? 4.0 + 2.0 * unit.z : 2.0 + 2.0 * unit.w;
-  float around = float(gl_VertexID % int(grid.x)) / grid.x;
+  float around = fract((float(gl_VertexID) + 0.25) / grid.x) - 0.25 / grid.x;
   open = openness(shade, vec2(ROD_TILE.x * around, row));
 #endif
   gl_Position = view_projection * vec4(point, 1.0);

@@ -9,19 +9,11 @@ uniform sampler2D blocker_map;  // blockers.frag
 // widths of the map.
 const float sharpest = 2.4, widest = 0.014;
 
-/// How far off what is in the light's way at a place in the map is, on the mean, in depths. With the weights w of
-/// blockers.frag it is ∑ w (z − depth)² over ∑ w (z − depth): what is as deep as the place itself doesn't count.
-float distance_of_blockers(vec3 at) {
-  vec3 found = textureLod(blocker_map, at.xy, 0.0).rgb;
-  float sum = max(at.z * found.x - found.y, 0.0);
-  float squares = max((at.z * found.x - 2.0 * found.y) * at.z + found.z, 0.0);
-  // Of next to nothing there is no mean.
-  return min(squares * sum / max(max(sum * sum, 0.06 * squares * found.x), 1e-30), at.z);
-}
-
 /// The mean share of the light on a part of a surface; right and up: unit vectors along it, as seen in the map.
 float light_on(vec3 at, vec3 right, vec3 up, vec2 least) {
-  float penumbra = distance_of_blockers(at) * (LIGHT_SPREAD / shadow.w);
+  // What is in the light's way is so far off; as deep as the place itself is the surface that it is on.
+  float away = max(at.z - textureLod(blocker_map, at.xy, 0.0).r, 0.0);
+  float penumbra = away * (LIGHT_SPREAD / shadow.w);
   float radius = clamp(penumbra, sharpest * shadow.y, max(widest, sharpest * shadow.y));
   right *= max(radius, least.x);
   up *= max(radius, least.y);

@@ -24,8 +24,8 @@ void main() {
   outward = normalize(cross(axis_y, axis_z) * normal.x + cross(axis_z, axis_x) * normal.y + cross(axis_x, axis_y) * normal.z);
   painted = colour.rgb;
 #ifdef CONTACT
-  int sides = int(grid.x);
-  open = openness(shade, TORSO_TILE * vec2(gl_VertexID % sides, gl_VertexID / sides) / grid.xy);
+  float ring = floor((float(gl_VertexID) + 0.25) / grid.x);
+  open = openness(shade, TORSO_TILE * vec2(float(gl_VertexID) - ring * grid.x, ring) / grid.xy);
 #endif
   gl_Position = view_projection * vec4(point, 1.0);
 }

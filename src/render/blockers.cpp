@@ -8,9 +8,9 @@ namespace taut {
 namespace {
 
 // How much more what is at a map's near end counts than what is at its far one: e to the power of this.
-constexpr int nearer = 30;
-// Texels of the shadow map that a texel stands for, each way. Each sees twice as many, so that with those
-// beside it it sees as far as penumbras reach.
+constexpr int nearer = 80;
+// Texels of the shadow map that a texel stands for, each way. It sees as many more on each side, so that it
+// sees as far as penumbras reach.
 int span_of(int map_size) {
   constexpr int least = 8, texels = 128;
   return std::max(least, map_size / texels);
@@ -28,7 +28,7 @@ Blockers::Blockers(const Gl& gl, const ShaderLibrary& library, int map_size)
       framebuffer_(make_framebuffer(gl)) {
   gl.active_texture(GL_TEXTURE5);
   gl.bind_texture(GL_TEXTURE_2D, texture_.name());
-  gl.texture_image(GL_TEXTURE_2D, 0, GL_RGBA32F, side_, side_, 0, GL_RGBA, GL_FLOAT, nullptr);
+  gl.texture_image(GL_TEXTURE_2D, 0, GL_R32F, side_, side_, 0, GL_RED, GL_FLOAT, nullptr);
   gl.texture_parameter(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   gl.texture_parameter(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   gl.texture_parameter(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
