@@ -6,7 +6,7 @@ layout(std140) uniform Frame {
   vec4 eye;               // xyz: m; the origin, but for the pass of the shadow map
   vec4 forward;           // xyz: unit vector along the line of sight
   vec4 fog;               // x: start (m), y: end (m), z: grid spacing (m)
-  vec4 shadow;            // y: texel in map coordinates, z: texel (m)
+  vec4 shadow;            // y: texel in map coordinates, z: texel (m), w: width over depth of what is in the map
   vec4 view;              // x: height of a pixel one metre away (m)
 };
 

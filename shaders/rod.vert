@@ -3,13 +3,17 @@
 // cone between the balls touches them, so that the surface is smooth across their seam. A squeeze makes both
 // balls flat: then it is the unsqueezed hull that is built, and squeezed.
 #include "lighting.glsl"
+#include "shade.glsl"
 
-layout(location = 0) in vec4 unit;    // xy: unit vector around the axis; z: 0 at the seam's side or −1 and 1 at the tips; w: 0 at the start, 1 at the end
+layout(location = 0) in vec4 unit;    // xy: unit vector around the axis; z: 0 at the seam's side or −1 and 1 at the tips; w: 0 at the start, 1 at the end, ½ between
 layout(location = 1) in vec4 start;   // xyz: m, w: radius (m)
 layout(location = 2) in vec4 end;     // as start
 layout(location = 3) in vec3 squeeze; // what is at p is drawn at p − squeeze (squeeze · p)
 layout(location = 4) in vec4 start_colour; // as displayed
 layout(location = 5) in vec4 end_colour;
+layout(location = 6) in vec2 shade;   // where its tile is
+
+uniform vec3 grid;  // x: sides of its ball
 
 out vec3 point;
 out vec3 outward;
@@ -29,5 +33,10 @@ void main() {
   outward = normalize(unsqueezed(normal));
   point = mix(start.xyz, end.xyz, unit.w) + from_centre - squeeze * dot(squeeze, from_centre);
   painted = mix(start_colour.rgb, end_colour.rgb, unit.w);
+#ifdef CONTACT
+  float row = unit.z < 0.0 ? 2.0 + 2.0 * unit.z : unit.z > 0.0 ? 4.0 + 2.0 * unit.z : 2.0 + 2.0 * unit.w;
+  float around = fract((float(gl_VertexID) + 0.25) / grid.x) - 0.25 / grid.x;
+  open = openness(shade, vec2(ROD_TILE.x * around, row));
+#endif
   gl_Position = view_projection * vec4(point, 1.0);
 }

@@ -30,7 +30,8 @@ constexpr std::array taper_attributes{Attribute{4, GL_FLOAT, offsetof(TaperedRod
                                       Attribute{4, GL_FLOAT, offsetof(TaperedRod, end)},
                                       Attribute{3, GL_FLOAT, offsetof(TaperedRod, squeeze)},
                                       Attribute{4, GL_UNSIGNED_BYTE, offsetof(TaperedRod, start_colour)},
-                                      Attribute{4, GL_UNSIGNED_BYTE, offsetof(TaperedRod, end_colour)}};
+                                      Attribute{4, GL_UNSIGNED_BYTE, offsetof(TaperedRod, end_colour)},
+                                      Attribute{2, GL_FLOAT, offsetof(TaperedRod, shade)}};
 constexpr std::array torso_skin_attributes{Attribute{3, GL_FLOAT, offsetof(TorsoVertex, place)},
                                            Attribute{3, GL_FLOAT, offsetof(TorsoVertex, outward)}};
 constexpr std::array torso_attributes{
@@ -38,12 +39,15 @@ constexpr std::array torso_attributes{
     Attribute{3, GL_FLOAT, offsetof(TorsoRecord, axes)},
     Attribute{3, GL_FLOAT, offsetof(TorsoRecord, axes) + sizeof(glm::vec3)},
     Attribute{3, GL_FLOAT, offsetof(TorsoRecord, axes) + 2 * sizeof(glm::vec3)},
-    Attribute{4, GL_UNSIGNED_BYTE, offsetof(TorsoRecord, colour)}};
+    Attribute{4, GL_UNSIGNED_BYTE, offsetof(TorsoRecord, colour)},
+    Attribute{2, GL_FLOAT, offsetof(TorsoRecord, shade)}};
 constexpr std::array box_attributes{
-    Attribute{3, GL_FLOAT, offsetof(BoxRecord, centre)}, Attribute{3, GL_FLOAT, offsetof(BoxRecord, edges)},
+    Attribute{3, GL_FLOAT, offsetof(BoxRecord, centre)},
+    Attribute{3, GL_FLOAT, offsetof(BoxRecord, edges)},
     Attribute{3, GL_FLOAT, offsetof(BoxRecord, edges) + sizeof(glm::vec3)},
     Attribute{3, GL_FLOAT, offsetof(BoxRecord, edges) + 2 * sizeof(glm::vec3)},
-    Attribute{4, GL_UNSIGNED_BYTE, offsetof(BoxRecord, colour)}};
+    Attribute{4, GL_UNSIGNED_BYTE, offsetof(BoxRecord, colour)},
+    Attribute{3, GL_FLOAT, offsetof(BoxRecord, shade)}};
 constexpr std::array solid_attributes{Attribute{3, GL_FLOAT, offsetof(SolidVertex, position)},
                                       Attribute{3, GL_FLOAT, offsetof(SolidVertex, normal)}};
 constexpr GLsizei corners_of_a_box = 36;
@@ -61,17 +65,18 @@ std::size_t round_for(float radius_in_pixels) {
 }
 
 // Circles of latitude about z from the lower tip to the upper, as shaders/rod.vert reads them; the seam is
-// there twice, once for either half.
+// there thrice, for either half and in the middle between them.
 std::vector<glm::vec4> ball_vertices(int sides) {
   const int rings = sides / 4;
   std::vector<glm::vec4> vertices;
-  for (int ring = 0; ring <= 2 * rings + 1; ++ring) {
-    const bool lower = ring <= rings;
-    const float latitude = static_cast<float>((lower ? ring : ring - 1) - rings) / static_cast<float>(rings);
+  for (int ring = -rings - 1; ring <= rings + 1; ++ring) {
+    const int from_seam = ring < 0 ? ring + 1 : std::max(ring - 1, 0);
+    const float latitude = static_cast<float>(from_seam) / static_cast<float>(rings);
+    const float end = ring < 0 ? 0.0F : ring > 0 ? 1.0F : 0.5F;
     for (int side = 0; side < sides; ++side) {
       const float longitude =
           2.0F * std::numbers::pi_v<float> * static_cast<float>(side) / static_cast<float>(sides);
-      vertices.emplace_back(std::cos(longitude), std::sin(longitude), latitude, lower ? 0.0F : 1.0F);
+      vertices.emplace_back(std::cos(longitude), std::sin(longitude), latitude, end);
     }
   }
   return vertices;
@@ -101,6 +106,11 @@ Defines with_look(Defines defines, const Look& look) {
   else if (look.pattern != Pattern::plain)
     defines.emplace_back(look.pattern == Pattern::checker ? "PATTERN 1" : "PATTERN 2");
   if (has_own_cloth_colours(look)) defines.emplace_back("TINTED");
+  return defines;
+}
+
+Defines with_faces(Defines defines) {
+  defines.emplace_back("FACES");
   return defines;
 }
 
@@ -218,14 +228,15 @@ void SurfacePainter::draw(Pass pass) const {
   gl_->draw_elements(GL_TRIANGLES, indices_.count(), GL_UNSIGNED_INT, nullptr);
 }
 
-RodPainter::Round::Round(const Gl& gl, int sides)
-    : array(make_vertex_array(gl)),
+RodPainter::Round::Round(const Gl& gl, int round)
+    : sides(round),
+      array(make_vertex_array(gl)),
       ball(gl, array, sizeof(glm::vec4), ball_attributes, 0),
       rods(gl, array, sizeof(TaperedRod), taper_attributes, 1, 1),
       triangles(gl) {
   const std::vector<glm::vec4> vertices = ball_vertices(sides);
   ball.upload(std::span(vertices));
-  triangles.upload(ring_triangles(sides, 2 * (sides / 4) + 1));
+  triangles.upload(ring_triangles(sides, 2 * (sides / 4) + 2));
 }
 
 RodPainter::RodPainter(const Gl& gl, const ShaderLibrary& library, const Defines& defines)
@@ -248,9 +259,11 @@ void RodPainter::upload(const std::vector<TaperedRod>& rods, float pixel) {
 }
 
 void RodPainter::draw(Pass pass) const {
-  program_for(programs_, pass).use();
+  const Program& program = program_for(programs_, pass);
+  program.use();
   for (const Round& round : rounds_) {
     if (round.rods.count() == 0) continue;
+    program.set("grid", glm::vec3(round.sides, 0.0F, 0.0F));
     gl_->bind_vertex_array(round.array.name());
     round.triangles.bind();
     if (pass == Pass::shadow)
@@ -261,8 +274,9 @@ void RodPainter::draw(Pass pass) const {
   }
 }
 
-TorsoPainter::Skin::Skin(const Gl& gl, int sides)
-    : array(make_vertex_array(gl)),
+TorsoPainter::Skin::Skin(const Gl& gl, int round)
+    : sides(round),
+      array(make_vertex_array(gl)),
       skin(gl, array, sizeof(TorsoVertex), torso_skin_attributes, 0),
       torsos(gl, array, sizeof(TorsoRecord), torso_attributes, 1, 2),
       triangles(gl) {
@@ -297,9 +311,11 @@ void TorsoPainter::upload(const std::vector<TorsoRecord>& torsos, float pixel) {
 
 void TorsoPainter::draw(Pass pass) const {
   if (for_shadow_.torsos.count() == 0) return;
-  program_for(programs_, pass).use();
+  const Program& program = program_for(programs_, pass);
+  program.use();
   for (const Skin& skin : pass == Pass::shadow ? std::span(&for_shadow_, 1) : std::span(skins_)) {
     if (skin.torsos.count() == 0) continue;
+    program.set("grid", glm::vec3(skin.sides, torso_bands(skin.sides), 0.0F));
     gl_->bind_vertex_array(skin.array.name());
     skin.triangles.bind();
     gl_->draw_elements_instanced(GL_TRIANGLES, skin.triangles.count(), GL_UNSIGNED_INT, nullptr,
@@ -339,6 +355,7 @@ void SolidPainter::draw(Pass pass) const {
     program.set("axis_x", mesh.axes[0]);
     program.set("axis_y", mesh.axes[1]);
     program.set("axis_z", mesh.axes[2]);
+    program.set("shade", glm::vec3(mesh.shade, mesh.shade, 0.0F));
     program.set("own_colour", glm::vec3(mesh.colour[0], mesh.colour[1], mesh.colour[2]) / 255.0F);
     gl_->bind_vertex_array(stored.array.name());
     stored.triangles.bind();
@@ -348,7 +365,7 @@ void SolidPainter::draw(Pass pass) const {
 
 BoxPainter::BoxPainter(const Gl& gl, const ShaderLibrary& library, const Defines& defines)
     : gl_(&gl),
-      programs_(gl, library, {"box.vert", "body.frag", "nothing.frag"}, defines),
+      programs_(gl, library, {"box.vert", "body.frag", "nothing.frag"}, with_faces(defines)),
       array_(make_vertex_array(gl)),
       records_(gl, array_, sizeof(BoxRecord), box_attributes, 1) {}
 

@@ -104,11 +104,12 @@ class RodPainter {
  private:
   // A ball of so many sides, and the rods that are drawn with it.
   struct Round {
+    int sides;
     GlObject array;
     VertexStream ball, rods;
     IndexStream triangles;
 
-    Round(const Gl& gl, int sides);
+    Round(const Gl& gl, int round);
   };
 
   const Gl* gl_;
@@ -128,11 +129,12 @@ class TorsoPainter {
  private:
   // A skin of so many sides, and the trunks that are drawn with it.
   struct Skin {
+    int sides;
     GlObject array;
     VertexStream skin, torsos;
     IndexStream triangles;
 
-    Skin(const Gl& gl, int sides);
+    Skin(const Gl& gl, int round);
   };
 
   const Gl* gl_;

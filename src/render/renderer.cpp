@@ -7,6 +7,8 @@
 #include <span>
 
 #include "backdrop.h"
+#include "blockers.h"
+#include "geometry/contact_shade.h"
 #include "geometry/frame_block.h"
 #include "geometry/palette.h"
 #include "geometry/region.h"
@@ -15,6 +17,7 @@
 #include "layers.h"
 #include "lines_painter.h"
 #include "painters.h"
+#include "shade_map.h"
 
 namespace taut {
 namespace {
@@ -26,6 +29,13 @@ Defines defines_of(const RenderSettings& settings, const Look& look) {
   Defines defines;
   if (settings.samples > 1) defines.emplace_back("MULTISAMPLED");
   if (look.shadows && settings.shadow_map_size > 0) defines.emplace_back("SHADOWS");
+  return defines;
+}
+
+// The same for bodies and solids.
+Defines body_defines(const RenderSettings& settings, const Look& look) {
+  Defines defines = defines_of(settings, look);
+  if (shows_contact(look) && settings.shadow_map_size > 0) defines.emplace_back("CONTACT");
   return defines;
 }
 
@@ -45,10 +55,13 @@ std::string steps_of(const RenderSettings& settings) {
   return settings.bits == 16 ? "STEPS 65535.0" : "STEPS 255.0";
 }
 
-// What shaders/frame.glsl, dither.glsl and surface.frag take as numbers.
+// What shaders take as numbers.
 Defines constants_of(const Look& look, const RenderSettings& settings) {
   const Palette colours = palette(look.theme);
   return {steps_of(settings),
+          "LIGHT_SPREAD " + std::to_string(light_spread),
+          constant("ROD_TILE", glm::vec2(rod_tile - 1)),
+          constant("TORSO_TILE", glm::vec2(torso_tile - 1)),
           constant("TO_LIGHT", direction_to_light()),
           constant("LIGHT", colours.light),
           constant("AMBIENT_BELOW", colours.ambient_below),
@@ -126,7 +139,8 @@ class Renderer::Drawing {
   FrameUniforms uniforms_;
   PictureTarget target_;
   std::optional<ShadowMap> shadow_map_;
-  std::optional<GroundShades> ground_shades_;  // where there are shadows
+  std::optional<Blockers> blockers_;           // where there are shadows
+  std::optional<GroundShades> ground_shades_;  // the same
   FrameBlock light_;                           // of the shadow map
   SquarePainter spheres_, links_;
   SurfacePainter surface_;
@@ -134,6 +148,7 @@ class Renderer::Drawing {
   TorsoPainter torsos_;
   BoxPainter boxes_;
   SolidPainter meshes_;
+  ShadeMap shade_map_;
   LinesPainter lines_;
   Backdrop backdrop_;
   std::deque<Submitted> submitted_;  // and not fetched yet
@@ -150,15 +165,17 @@ Renderer::Drawing::Drawing(const GlContext& context, const Look& look, const Ren
       spheres_(sphere_painter(gl_, library_, defines_of(settings, look))),
       links_(link_painter(gl_, library_, defines_of(settings, look))),
       surface_(gl_, library_, look, defines_of(settings, look)),
-      rods_(gl_, library_, defines_of(settings, look)),
-      torsos_(gl_, library_, defines_of(settings, look)),
-      boxes_(gl_, library_, defines_of(settings, look)),
-      meshes_(gl_, library_, defines_of(settings, look)),
+      rods_(gl_, library_, body_defines(settings, look)),
+      torsos_(gl_, library_, body_defines(settings, look)),
+      boxes_(gl_, library_, body_defines(settings, look)),
+      meshes_(gl_, library_, body_defines(settings, look)),
+      shade_map_(gl_),
       lines_(gl_, library_, defines_of(settings, look)),
       backdrop_(gl_, library_, settings.size, settings.transparent, settings.bits) {
   if (look.colour_by != ColourBy::plain) font_ = Font::load();
   if (look.shadows && settings.shadow_map_size > 0) {
     shadow_map_.emplace(gl_, settings.shadow_map_size);
+    blockers_.emplace(gl_, library_, settings.shadow_map_size);
     ground_shades_.emplace(gl_, library_, settings.shadow_map_size);
   }
 }
@@ -209,6 +226,7 @@ void Renderer::Drawing::upload(const Geometry& geometry) {
   torsos_.upload(geometry.bodies.torsos, pixel_height(geometry.pose, settings_.size));
   boxes_.upload(geometry.bodies.boxes);
   meshes_.upload(geometry.bodies.meshes);
+  if (!geometry.bodies.shades.texels.empty()) shade_map_.upload(geometry.bodies.shades);
   lines_.upload(geometry.lines, pixel_height(geometry.pose, settings_.size));
 }
 
@@ -222,6 +240,9 @@ void Renderer::Drawing::draw_shadow_map(const Geometry& geometry) {
   draw_casters(geometry);
   gl_.disable(GL_POLYGON_OFFSET_FILL);
   shadow_map_->bind_for_reading();
+  // All else is too small to show how wide the edge of a shadow is.
+  if (!geometry.surface.vertices.empty() || !geometry.bodies.empty() || !geometry.lines.arrows.empty())
+    blockers_->draw(*shadow_map_);
   if (geometry.surface.vertices.empty()) return;
   const FrameBlock block = camera(geometry);
   uniforms_.load(block);

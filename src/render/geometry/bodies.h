@@ -5,6 +5,7 @@
 
 #include "geometry/colour_scale.h"
 #include "geometry/lattice.h"
+#include "geometry/shade_tiles.h"
 #include "geometry/solid_surface.h"
 #include "model/model.h"
 #include "model/state.h"
@@ -17,6 +18,7 @@ struct BoxRecord {
   glm::vec3 centre;    ///< m
   glm::vec3 edges[3];  ///< m, from the centre to the middle of three faces
   Rgba colour;
+  glm::vec3 shade{0.0F};  ///< its tile's first texel, and cells of that a face, each way
 };
 
 /// The hull of two balls, as shaders/rod.vert reads it: a ball where they are one. Each ball is squeezed:
@@ -29,6 +31,7 @@ struct TaperedRod {
   float end_radius;    ///< m
   glm::vec3 squeeze;   ///< shorter than 1
   Rgba start_colour, end_colour;
+  glm::vec2 shade = no_shade;  ///< its tile's first texel
 };
 
 /// A trunk (torso.h) in its own axes, as shaders/torso.vert reads it.
@@ -36,6 +39,7 @@ struct TorsoRecord {
   glm::vec3 origin;   ///< m
   glm::vec3 axes[3];  ///< m
   Rgba colour;
+  glm::vec2 shade = no_shade;  ///< its tile's first texel
 };
 
 /// What is drawn as rods, balls, trunks, boxes and meshes.
@@ -44,6 +48,7 @@ struct Bodies {
   std::vector<TorsoRecord> torsos;
   std::vector<BoxRecord> boxes;
   std::vector<MeshRecord> meshes;
+  ShadeTiles shades;  ///< what keeps light from all around from them, where that is shown
 
   bool empty() const { return rods.empty() && torsos.empty() && boxes.empty() && meshes.empty(); }
 };

@@ -70,7 +70,7 @@ FrameBlock parallel_block(const Geometry& geometry, const glm::mat4& turn, const
   const glm::vec3 centre = 0.5F * (geometry.bounds.low + geometry.bounds.high);
   block.eye = glm::vec4(centre + back * (1000.0F * square.width), 1.0F);
   block.forward = glm::vec4(-back, 0.0F);
-  block.shadow = {0.0F, square.texel / square.width, square.texel, 0.0F};
+  block.shadow = {0.0F, square.texel / square.width, square.texel, square.width / (far - near)};
   return block;
 }
 
@@ -132,6 +132,10 @@ float contact_height(const CameraPose& pose) {
   return 0.08F * reach_of(pose);
 }
 
+float shade_reach(const CameraPose& pose) {
+  return 0.04F * reach_of(pose);
+}
+
 FrameBlock contact_block(const Geometry& geometry, const GroundPatch& ground, int map_size) {
   const glm::mat4 turn = glm::lookAt(glm::vec3(0.0F), ground.normal, ground.across);
   const DrawnBox seen = bounds_after(turn, geometry.bounds);
@@ -149,7 +153,7 @@ glm::mat4 to_unit() {
 
 void add_shadow(FrameBlock& camera, const FrameBlock& light) {
   camera.shadow_matrix = to_unit() * light.view_projection;
-  camera.shadow = {1.0F, light.shadow.y, light.shadow.z, 0.0F};
+  camera.shadow = {1.0F, light.shadow.y, light.shadow.z, light.shadow.w};
 }
 
 }  // namespace taut

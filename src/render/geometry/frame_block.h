@@ -42,6 +42,9 @@ inline constexpr int mask_span = 4;
 /// How high above a ground (m) things still hide the sky from it.
 float contact_height(const CameraPose& pose);
 
+/// How far (m) things hide light from all around from bodies and solids.
+float shade_reach(const CameraPose& pose);
+
 /// What a pass needs that shows a ground from below, as far as it is hidden from the sky: a map of
 /// `map_size`² texels around all that is near it, its coordinates along the ground's axes, depth 0 as far
 /// below the ground as 1 is above.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "geometry/contact_shade.h"
 #include "geometry/figures.h"
 #include "geometry/frame_block.h"
 #include "geometry/loose_threads.h"
@@ -168,6 +169,7 @@ std::shared_ptr<const Geometry> GeometryMaker::make(const State& state, const Ca
     // From below there is no ground in the way of the scene.
     if (patch.height > 0.0F) geometry->grounds.push_back(patch);
   }
+  if (shows_contact(look)) add_contact_shades(geometry->bodies, geometry->grounds, shade_reach(pose));
   if (cloth) {
     parts_->topology = surface_topology(*cloth, state, topology);
     geometry->surface = surface_mesh(*cloth, *topology, seen, space, values, geometry->scale,

@@ -1,11 +1,11 @@
 #include "geometry/occluders.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <numbers>
+
+#include "geometry/inverse_root.h"
 
 namespace taut {
 namespace {
@@ -22,14 +22,6 @@ struct Seen {
   glm::vec3 place, normal;
   float per_square;
 };
-
-// One over a square root, to six digits: a first guess by halving the exponent, bettered twice by Newton. The
-// library's root sets errno, and no vector can be made of that.
-float inverse_root(float square) {
-  float guess = std::bit_cast<float>(0x5F375A86U - (std::bit_cast<std::uint32_t>(square) >> 1U));
-  guess *= 1.5F - 0.5F * square * guess * guess;
-  return guess * (1.5F - 0.5F * square * guess * guess);
-}
 
 // Adds what the first so many balls of a run hide, in front more and behind less, and on both sides together.
 // Without comparisons, which would make branches.

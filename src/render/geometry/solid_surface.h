@@ -30,6 +30,8 @@ struct MeshRecord {
   glm::vec3 centre;   ///< m
   glm::vec3 axes[3];  ///< unit length
   Rgba colour;
+  int shade =
+      -1;  ///< the first row of ShadeTiles with a texel for each vertex; below 0 where nothing is near
 };
 
 }  // namespace taut

@@ -117,6 +117,8 @@ Program::Program(const Gl& gl, const ShaderLibrary& library, std::string_view ve
   use();
   set("shadow_map", 0);
   set("light_map", 1);
+  set("blocker_map", 5);
+  set("shade_map", 6);
 }
 
 void Program::set(const char* uniform, int value) const {

@@ -33,7 +33,7 @@ class ShaderLibrary {
 };
 
 /// A linked program of a vertex and a fragment shader. Its uniform block Frame reads from binding 0, its
-/// samplers shadow_map and light_map from texture units 0 and 1.
+/// samplers shadow_map, light_map, blocker_map and shade_map from texture units 0, 1, 5 and 6.
 class Program {
  public:
   /// Throws RunFailure with the log of the compiler or linker.
