@@ -200,7 +200,7 @@ class ContactShader {
           points_.add(box.centre + out + at.x * along + at.y * across, glm::normalize(out));
         }
     }
-    const auto row = static_cast<std::size_t>(cells + 1);
+    const std::size_t row = static_cast<std::size_t>(cells) + 1;
     const ShadeTiles::Tile made = bodies_.shades.add({3 * row, 2 * row});
     const std::vector<std::uint8_t>& open = worked_out();
     for (std::size_t i = 0; i < open.size(); ++i) {
