@@ -42,4 +42,24 @@ inline Description level_chain(int links, double link_length, double last_mass =
   return description;
 }
 
+/// A chain 2 m across that hangs in an arc, and swings.
+inline Description swinging_chain(int links) {
+  Description description = level_chain(links, 2.0 / links);
+  description.chains[0].length = 2.2;
+  return description;
+}
+
+/// A net that hangs by a corner.
+inline Description hung_net(int side) {
+  SheetSpec sheet;
+  sheet.name = "net";
+  sheet.rows = sheet.columns = side;
+  sheet.to = {1.0, 0.0, 0.0};
+  sheet.down = {0.0, -0.7, 0.7};
+  sheet.pinned = {"top-left"};
+  Description description;
+  description.sheets = {sheet};
+  return description;
+}
+
 }  // namespace taut::bench

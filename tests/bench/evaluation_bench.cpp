@@ -28,10 +28,7 @@ void per_evaluation(benchmark::State& run, const Description& description, int t
 }
 
 void chain_on_threads(benchmark::State& run, int threads) {
-  const auto links = static_cast<int>(run.range(0));
-  Description description = bench::level_chain(links, 2.0 / links);
-  description.chains[0].length = 2.2;  // it hangs in an arc, and swings
-  per_evaluation(run, description, threads);
+  per_evaluation(run, bench::swinging_chain(static_cast<int>(run.range(0))), threads);
 }
 void chain(benchmark::State& run) {
   chain_on_threads(run, 1);
@@ -48,15 +45,7 @@ BENCHMARK(chain_on_2_threads)
     ->UseRealTime();
 
 void net(benchmark::State& run) {
-  SheetSpec sheet;
-  sheet.name = "net";
-  sheet.rows = sheet.columns = static_cast<int>(run.range(0));
-  sheet.to = {1.0, 0.0, 0.0};
-  sheet.down = {0.0, -0.7, 0.7};
-  sheet.pinned = {"top-left"};
-  Description description;
-  description.sheets = {sheet};
-  per_evaluation(run, description);
+  per_evaluation(run, bench::hung_net(static_cast<int>(run.range(0))));
 }
 BENCHMARK(net)->Arg(16)->Arg(64)->Unit(benchmark::kMillisecond);
 

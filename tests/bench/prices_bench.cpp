@@ -35,22 +35,11 @@ void foretold(benchmark::State& run, Description description, const Settings& se
 }
 
 void on_chain(benchmark::State& run, const Settings& settings, bool springs) {
-  const auto links = static_cast<int>(run.range(0));
-  Description description = bench::level_chain(links, 2.0 / links);
-  description.chains[0].length = 2.2;  // it hangs in an arc, and swings
-  foretold(run, description, settings, springs);
+  foretold(run, bench::swinging_chain(static_cast<int>(run.range(0))), settings, springs);
 }
 
 void on_net(benchmark::State& run, const Settings& settings, bool springs) {
-  SheetSpec sheet;
-  sheet.name = "net";
-  sheet.rows = sheet.columns = static_cast<int>(run.range(0));
-  sheet.to = {1.0, 0.0, 0.0};
-  sheet.down = {0.0, -0.7, 0.7};
-  sheet.pinned = {"top-left"};
-  Description description;
-  description.sheets = {sheet};
-  foretold(run, description, settings, springs);
+  foretold(run, bench::hung_net(static_cast<int>(run.range(0))), settings, springs);
 }
 
 Settings at_pace(std::string method) {
