@@ -49,8 +49,7 @@ Settings at_pace(std::string method) {
 [[maybe_unused]] const bool registered = [] {
   for (const char* name : {"xpbd", "shake", "verlet", "newton", "rattle", "dop853", "spring-implicit"}) {
     const std::string method = name;
-    // Springs as stiff as these shake rattle's and dop853's steps apart, or make them as short as springs ask
-    // for.
+    // The one method that has no rigid links.
     const bool springs = method == "spring-implicit";
     benchmark::RegisterBenchmark((method + "/chain").c_str(), on_chain, at_pace(method), springs)
         ->RangeMultiplier(10)
