@@ -104,9 +104,10 @@ TEST_P(InterruptedTest, EndsAPlanToo) {
   }
 }
 
-// One step that takes far longer than what comes before it: newton on a net of forty thousand links. The
-// signal comes half as long after the film has begun as that took, so that it is in the step on any machine.
-TEST(Interrupted, EndsInTheMiddleOfAStep) {
+// A step that takes seconds: newton on a net of forty thousand links. The signal comes half as long after the
+// film has begun as that took. Whether the step's end or the end of patience comes first is the machine's
+// affair (InterruptWatchDeathTest has both); the run ends as one that was interrupted, and whole.
+TEST(Interrupted, EndsAStepThatTakesLong) {
 #ifdef __SANITIZE_THREAD__
   GTEST_SKIP() << "the thread sanitizer keeps a signal back until the thread calls the system";
 #endif
@@ -142,7 +143,7 @@ diagonals = true
       "sleep $(awk \"BEGIN { print ($(date +%s%N) - $begin) / 2e9 }\"); kill -TERM $process; wait $process";
   const Ran ran = run_program("/bin/sh", {"-c", script});
   EXPECT_EQ(ran.status, 143) << ran.err;
-  EXPECT_NE(ran.err.find("interrupted in the middle of a step"), std::string::npos) << ran.err;
+  EXPECT_NE(ran.err.find("taut: interrupted"), std::string::npos) << ran.err;
   EXPECT_EQ(folder.entries(), 1U) << "the scene, and nothing half made";
 }
 

@@ -31,4 +31,4 @@ read_back() {
 }
 
 read_back "$here/shapes.toml" cloth 10
-read_back torn-flag flag 2
+read_back torn-flag flag 4
