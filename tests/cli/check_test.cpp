@@ -65,7 +65,8 @@ TEST_F(CheckTest, ASceneThatLeavesItsMethodOpenIsPlanned) {
 
 // Without stiffness its diagonals would say the same twice, which dop853 refuses: then that has no time.
 TEST_F(CheckTest, ExplainsWhatTheMethodCanNotBeWithout) {
-  const Ran ran = taut({"check", "curtain", "--method", "dop853", "--explain", "--quiet", "--json"});
+  const Ran ran = taut({"check", "curtain", "--method", "dop853", "--explain", "--quiet", "--json", "--set",
+                        "sheet.0.rows=16", "--set", "sheet.0.columns=19"});
   ASSERT_EQ(ran.status, 0) << ran.err;
   EXPECT_TRUE(Json::parse(ran.out)[0].contains("explanation")) << ran.out.substr(0, 500);
 }

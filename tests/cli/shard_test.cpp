@@ -172,7 +172,9 @@ TEST_F(ShardTest, MapsOfFourShardsAreThoseOfOneProcess) {
   EXPECT_EQ(read_file(fs::path(folder_ / "whole") / csv), read_file(fs::path(folder_ / "parts") / csv));
 }
 
-TEST_F(ShardTest, ChartsAndSagSheetsToo) {
+using ShardedStudies = ShardTest;
+
+TEST_F(ShardedStudies, EndInTheNumbersOfOneProcess) {
   const Environment environment{{"TAUT_CACHE", folder_ / "cache"}};
   const auto run_chart = [&](const std::string& name, const Words& more) {
     Words words{"chart", "pendulum", "--methods", "rattle,verlet", "--horizon", "0.3s", "-o", folder_ / name};
