@@ -5,7 +5,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <algorithm>
+#include <ctime>
 #include <limits>
 #include <optional>
 #include <string>
@@ -29,22 +30,23 @@ std::string chain_of(int links) {
   return fmt::format("[[chain]]\nname = \"rope\"\nfrom = [0, 2, 0]\nto = [2, 2, 0]\nlinks = {}\n", links);
 }
 
-double seconds_of(const std::function<void()>& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+// Reads a load that names so many masses of a chain; the least processor time of three times (s).
+double seconds_to_read_a_load_on(int count) {
+  const std::string scene = chain_of(count) + "[[load]]\nforce = [0, 1, 0]\nmasses = " +
+                            list_of(count, [](int i) { return fmt::format("rope.{}", i); }) + "\n";
+  double least = std::numeric_limits<double>::infinity();
+  for (int time = 0; time < 3; ++time) {
+    const std::clock_t start = std::clock();
+    EXPECT_EQ(parse_scene(scene, "f.toml").model.loads.at(0).masses.size(), static_cast<std::size_t>(count));
+    least = std::min(least, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+  }
+  return least;
 }
 
-// Twice as much takes twice as long where it is linear, and four times where it is quadratic.
+// Four times as much takes four times as long where it is linear, and sixteen times where each name is looked
+// for among all.
 TEST(SceneBounds, ALoadThatNamesEveryMassIsReadInLinearTime) {
-  const auto text = [](int count) {
-    return chain_of(count) + "[[load]]\nforce = [0, 1, 0]\nmasses = " +
-           list_of(count, [](int i) { return fmt::format("rope.{}", i); }) + "\n";
-  };
-  const std::string scene = text(40'000);
-  const double seconds =
-      seconds_of([&] { EXPECT_EQ(parse_scene(scene, "f.toml").model.loads.at(0).masses.size(), 40'000U); });
-  EXPECT_LT(seconds, 10.0) << "a minute and more, when each name is looked for among all";
+  EXPECT_LT(seconds_to_read_a_load_on(40'000), 8.0 * seconds_to_read_a_load_on(10'000));
 }
 
 TEST(SceneBounds, StarsFitPartsOfNames) {
@@ -72,14 +74,13 @@ TEST(SceneBounds, LoadsThatActOnMoreThanCanBeKeptAreRefused) {
   EXPECT_NE(errors_of(text).find("100000000 is the most they may"), std::string::npos);
 }
 
-TEST(SceneBounds, AListWhereTablesBelongIsOneErrorAndQuick) {
+// To tell of each took minutes.
+TEST(SceneBounds, AListWhereTablesBelongIsOneError) {
   std::string list = "mass = [";
   for (int i = 0; i < 400'000; ++i) list += "1,";
-  std::string errors;
-  const double seconds = seconds_of([&] { errors = errors_of(list + "1]\n"); });
+  const std::string errors = errors_of(list + "1]\n");
   EXPECT_TRUE(errors.starts_with("f.toml:1:9: [[mass]] must be a table, not 1\n")) << errors.substr(0, 200);
   EXPECT_LT(errors.size(), 300U);
-  EXPECT_LT(seconds, 5.0);
 }
 
 TEST(SceneBounds, MassesThatCollideMustNotAllStartInOnePlace) {
