@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing, checks the format, builds, looks for lint, and runs every test: under the address
-# and undefined-behaviour sanitizers, then optimised.
+# and undefined-behaviour sanitizers, then optimised, but for those that tests/long_tests.txt lists (optimised alone) and
+# the command line's others (under the sanitizers alone).
 #
 #   TAUT_SKIP_LINT=1         without clang-tidy
 #   TAUT_SKIP_SANITIZERS=1   without the tests under the sanitizers
@@ -53,7 +54,13 @@ if [ -z "${TAUT_SKIP_LINT:-}" ]; then
 fi
 
 say "testing"
-ctest --preset tested --parallel 2
+if [ -n "${TAUT_SKIP_SANITIZERS:-}" ]; then
+  ctest --preset tested --parallel 2
+else
+  # The command line's short tests have just passed; what a machine's own instructions decide is tried again.
+  ctest --preset tested --parallel 2 --label-exclude cli
+  ctest --preset tested --parallel 2 --label-regex cli --label-regex long
+fi
 
 if [ -n "${TAUT_WITHOUT_OSMESA:-}" ]; then
   say "building and testing without OSMesa"
