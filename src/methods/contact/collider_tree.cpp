@@ -79,21 +79,27 @@ void ColliderTree::divide(std::uint32_t node, std::uint32_t begin, std::uint32_t
 
 void ColliderTree::find(const Vec3& place, double reach, std::vector<std::uint32_t>& near) const {
   near.insert(near.end(), everywhere_.begin(), everywhere_.end());
+  if (nodes_.empty()) return;
   Bounds around;
   around.take_in(place, reach);
+  const auto look_at = [&](const Node& leaf) {
+    for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i)
+      if (around.meets(boxes_[order_[i]])) near.push_back(order_[i]);
+  };
+  // Most scenes have a solid or two: to begin a search takes longer than to look at them.
+  if (nodes_.front().count > 0) return look_at(nodes_.front());
+
   std::array<std::uint32_t, 64> open{};  // halved at the median, no tree of 32-bit numbers is deeper
-  std::size_t opened = 0;
-  if (!nodes_.empty()) open[opened++] = 0;
+  std::size_t opened = 1;
   while (opened > 0) {
     const Node& node = nodes_[open[--opened]];
     if (!around.meets(node.box)) continue;
-    if (node.count == 0) {
-      open[opened++] = node.first;
-      open[opened++] = node.first + 1;
+    if (node.count > 0) {
+      look_at(node);
       continue;
     }
-    for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
-      if (around.meets(boxes_[order_[i]])) near.push_back(order_[i]);
+    open[opened++] = node.first;
+    open[opened++] = node.first + 1;
   }
 }
 

@@ -36,10 +36,21 @@ double farthest_way(const MeshSolid& solid, const Placement& start, const Placem
   return farthest;
 }
 
-std::vector<std::uint32_t> solids_that(bool move, const Model& model) {
+std::vector<std::uint32_t> moving_solids(const Model& model) {
   std::vector<std::uint32_t> solids;
   for (std::uint32_t i = 0; i < model.colliders.size(); ++i)
-    if (model.colliders[i].motion.has_value() == move) solids.push_back(i);
+    if (model.colliders[i].motion) solids.push_back(i);
+  return solids;
+}
+
+// But for those that GroundContacts sees to for all points that there are.
+std::vector<std::uint32_t> still_solids(const Model& model) {
+  const bool all_plain = std::ranges::all_of(model.contacts, is_plain);
+  std::vector<std::uint32_t> solids;
+  for (std::uint32_t i = 0; i < model.colliders.size(); ++i) {
+    const Collider& collider = model.colliders[i];
+    if (!collider.motion && !(all_plain && as_ground(collider) != nullptr)) solids.push_back(i);
+  }
   return solids;
 }
 
@@ -50,8 +61,8 @@ ContactSolver::ContactSolver(const Model& model)
       points_(model),
       ground_(model),
       shapes_(shapes_of(model)),
-      moving_(solids_that(true, model)),
-      still_solids_(shapes_, solids_that(false, model)),
+      moving_(moving_solids(model)),
+      still_solids_(shapes_, still_solids(model)),
       any_thin_(std::ranges::any_of(model.colliders, is_thin)) {
   if (touches_only_ground(model)) return;  // which is ground_'s
   for (std::uint32_t i = 0; i < points_.size(); ++i)
@@ -123,7 +134,7 @@ void ContactSolver::begin_step(const std::vector<ContactSlip>& slips, const Vect
     around_.clear();
     still_solids_.find(x, reach + way, around_);
     if (moving_solids_) moving_solids_->find(x, reach + way + thin_way_, around_);
-    std::sort(around_.begin(), around_.end());
+    if (around_.size() > 1) std::sort(around_.begin(), around_.end());
     for (const std::uint32_t collider : around_)
       if (solves({point, collider}) && surface_at({point, collider}, x, reach))
         near_.push_back({point, collider});
