@@ -6,11 +6,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <ctime>
 #include <limits>
 #include <optional>
 #include <string>
 
+#include "base/processor_time.h"
 #include "model/size.h"
 #include "scene/scene.h"
 #include "scene_errors.h"
@@ -36,9 +36,9 @@ double seconds_to_read_a_load_on(int count) {
                             list_of(count, [](int i) { return fmt::format("rope.{}", i); }) + "\n";
   double least = std::numeric_limits<double>::infinity();
   for (int time = 0; time < 3; ++time) {
-    const std::clock_t start = std::clock();
+    const double start = processor_seconds();
     EXPECT_EQ(parse_scene(scene, "f.toml").model.loads.at(0).masses.size(), static_cast<std::size_t>(count));
-    least = std::min(least, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+    least = std::min(least, processor_seconds() - start);
   }
   return least;
 }

@@ -1,7 +1,6 @@
 #include "contact/collider_tree.h"
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 
 #include "model/solid_mesh.h"
@@ -82,25 +81,19 @@ void ColliderTree::find(const Vec3& place, double reach, std::vector<std::uint32
   if (nodes_.empty()) return;
   Bounds around;
   around.take_in(place, reach);
-  const auto look_at = [&](const Node& leaf) {
-    for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i)
-      if (around.meets(boxes_[order_[i]])) near.push_back(order_[i]);
-  };
-  // Most scenes have a solid or two: to begin a search takes longer than to look at them.
-  if (nodes_.front().count > 0) return look_at(nodes_.front());
+  find_below(0, around, near);
+}
 
-  std::array<std::uint32_t, 64> open{};  // halved at the median, no tree of 32-bit numbers is deeper
-  std::size_t opened = 1;
-  while (opened > 0) {
-    const Node& node = nodes_[open[--opened]];
-    if (!around.meets(node.box)) continue;
-    if (node.count > 0) {
-      look_at(node);
-      continue;
-    }
-    open[opened++] = node.first;
-    open[opened++] = node.first + 1;
+void ColliderTree::find_below(std::uint32_t at, const Bounds& around,
+                              std::vector<std::uint32_t>& near) const {
+  const Node& node = nodes_[at];
+  if (!around.meets(node.box)) return;
+  if (node.count == 0) {
+    find_below(node.first, around, near);
+    find_below(node.first + 1, around, near);
   }
+  for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
+    if (around.meets(boxes_[order_[i]])) near.push_back(order_[i]);
 }
 
 }  // namespace taut

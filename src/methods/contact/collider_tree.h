@@ -30,6 +30,7 @@ class ColliderTree {
 
   static Bounds box_around(const Shape& shape);
   Bounds box_around(std::uint32_t begin, std::uint32_t end) const;
+  void find_below(std::uint32_t node, const Bounds& around, std::vector<std::uint32_t>& near) const;
   void divide(std::uint32_t node, std::uint32_t begin, std::uint32_t end);
 
   std::vector<std::uint32_t> everywhere_;

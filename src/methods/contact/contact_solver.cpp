@@ -36,22 +36,24 @@ double farthest_way(const MeshSolid& solid, const Placement& start, const Placem
   return farthest;
 }
 
-std::vector<std::uint32_t> moving_solids(const Model& model) {
+template <class Wanted>
+std::vector<std::uint32_t> solids_that(const Model& model, const Wanted& wanted) {
   std::vector<std::uint32_t> solids;
   for (std::uint32_t i = 0; i < model.colliders.size(); ++i)
-    if (model.colliders[i].motion) solids.push_back(i);
+    if (wanted(model.colliders[i])) solids.push_back(i);
   return solids;
+}
+
+std::vector<std::uint32_t> moving_solids(const Model& model) {
+  return solids_that(model, [](const Collider& collider) { return collider.motion.has_value(); });
 }
 
 // But for those that GroundContacts sees to for all points that there are.
 std::vector<std::uint32_t> still_solids(const Model& model) {
   const bool all_plain = std::ranges::all_of(model.contacts, is_plain);
-  std::vector<std::uint32_t> solids;
-  for (std::uint32_t i = 0; i < model.colliders.size(); ++i) {
-    const Collider& collider = model.colliders[i];
-    if (!collider.motion && !(all_plain && as_ground(collider) != nullptr)) solids.push_back(i);
-  }
-  return solids;
+  return solids_that(model, [&](const Collider& collider) {
+    return !collider.motion && !(all_plain && as_ground(collider) != nullptr);
+  });
 }
 
 }  // namespace
@@ -134,7 +136,7 @@ void ContactSolver::begin_step(const std::vector<ContactSlip>& slips, const Vect
     around_.clear();
     still_solids_.find(x, reach + way, around_);
     if (moving_solids_) moving_solids_->find(x, reach + way + thin_way_, around_);
-    if (around_.size() > 1) std::sort(around_.begin(), around_.end());
+    std::sort(around_.begin(), around_.end());
     for (const std::uint32_t collider : around_)
       if (solves({point, collider}) && surface_at({point, collider}, x, reach))
         near_.push_back({point, collider});
