@@ -10,6 +10,7 @@ endif()
 
 # They include themselves, once for every set of vector instructions.
 set_source_files_properties(${CMAKE_CURRENT_SOURCE_DIR}/methods/direct/link_kernels.cpp
+                            ${CMAKE_CURRENT_SOURCE_DIR}/methods/direct/path_kernels.cpp
                             ${CMAKE_CURRENT_SOURCE_DIR}/methods/forces/mass_kernels.cpp
                             ${CMAKE_CURRENT_SOURCE_DIR}/methods/high_order/chain_motion.cpp
                             ${CMAKE_CURRENT_SOURCE_DIR}/methods/high_order/phase_sums.cpp

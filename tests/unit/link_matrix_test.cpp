@@ -211,6 +211,7 @@ std::vector<Case> cases() {
       {"free_path", Shape::path, 6, {}, row},
       {"hanging_path", Shape::path, 6, {0}, row},
       {"long_path", Shape::path, 41, {0, 20}, row_links(41)},
+      {"very_long_path", Shape::path, 151, {0}, row_links(151)},
       {"path_between_pins", Shape::path, 6, {0, 5}, row},
       {"path_out_of_order", Shape::path, 6, {5}, mixed_ends},
       {"two_paths_at_one_pin", Shape::path, 6, {2}, row},
@@ -272,6 +273,42 @@ TEST(RedundantLinks, FlatPlateWithRigidDiagonals) {
   sheet.diagonals = LinkProperties{};
   description.sheets = {sheet};
   expect_consistent_solve(build_valid(description));
+}
+
+// Long rows are eliminated in groups, by products of pivots that numbers may not hold.
+TEST(LongPaths, SolveAlikeAtAnyScale) {
+  const Case row{"row", Shape::path, 101, {0}, row_links(101)};
+  const Built built = build_case(row, 5);
+  LinkSystem system = make_link_system(built.model, solvable_links(built.model));
+  const std::size_t count = system.links.size();
+  Vectors directions;
+  link_vectors(system.links, built.start.position, directions);
+  std::mt19937 random(6);
+  const std::vector<double> diagonal = random_numbers(count, 0.5, 1.0, random);
+  const std::vector<double> right = random_numbers(count, -1.0, 1.0, random);
+  const auto solve = [&](double scale) {
+    Vectors scaled = directions;
+    for (auto* axis : {&scaled.x, &scaled.y, &scaled.z})
+      for (double& value : *axis) value *= scale;
+    std::vector<double> on_diagonal = diagonal, solution = right;
+    for (double& value : on_diagonal) value *= scale * scale;
+    EXPECT_TRUE(system.matrix->factor_and_solve(scaled, scaled, on_diagonal, solution)) << scale;
+    for (double& value : solution) value *= scale * scale;
+    return solution;
+  };
+  const std::vector<double> at_one = solve(1.0);
+  for (const double scale : {1e-70, 1e-20, 1e-9, 1e9, 1e20, 1e70}) {
+    const std::vector<double> solution = solve(scale);
+    for (std::size_t i = 0; i < count; ++i)
+      EXPECT_NEAR(solution[i], at_one[i], 1e-11 * std::abs(at_one[i])) << "link " << i << " at " << scale;
+  }
+}
+
+// Their pivots vanish in the midst of others.
+TEST(RedundantLinks, TautRowsBetweenPinsOfALongRow) {
+  Built built = build_valid(level_chain(100, 0.2));
+  for (const std::size_t pin : {5U, 70U, 88U}) built.model.masses.inverse_mass[pin] = 0.0;
+  expect_consistent_solve(built);
 }
 
 TEST(RedundantLinks, TwoLinksBetweenTheSameMasses) {

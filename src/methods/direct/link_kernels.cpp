@@ -145,26 +145,6 @@ void push_row_of(const RowPush& push, const AxesToWrite& target) {
       target, push.count);
 }
 
-void fill_path_of(const AxesToRead& rows, const AxesToRead& columns, const PathEntries& to) {
-  const auto fill_entry = [&](auto tag, const auto& row, const auto& column, std::size_t i) TAUT_INLINED {
-    hn::StoreU(hn::Add(hn::Mul(hn::LoadU(tag, to.weight + i), product(row, column)),
-                       hn::LoadU(tag, to.diagonal + i)),
-               tag, to.entry + i);
-  };
-  const auto fill = [&](auto tag, std::size_t i) TAUT_INLINED {
-    const auto row = load_three(tag, rows, i), column = load_three(tag, columns, i);
-    const auto coupling = hn::LoadU(tag, to.coupling + i);
-    fill_entry(tag, row, column, i);
-    hn::StoreU(hn::Mul(coupling, product(row, load_three(tag, columns, i + 1))), tag, to.above + i);
-    if (to.below)
-      hn::StoreU(hn::Mul(coupling, product(load_three(tag, rows, i + 1), column)), tag, to.below + i);
-  };
-  for_each_value(0, to.count - 1, fill);
-  const hn::CappedTag<double, 1> one;
-  const std::size_t last = to.count - 1;
-  fill_entry(one, load_three(one, rows, last), load_three(one, columns, last), last);
-}
-
 }  // namespace taut::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -178,7 +158,6 @@ HWY_EXPORT(measure_along_of);
 HWY_EXPORT(measure_along_moving_of);
 HWY_EXPORT(measure_along_falling_of);
 HWY_EXPORT(push_row_of);
-HWY_EXPORT(fill_path_of);
 
 void Misfit::add(const Misfit& other) {
   worst = std::max(worst, other.worst);
@@ -213,10 +192,6 @@ void measure_along_falling(const Falling& falling, const EndsToRead& v, const Ax
 
 void push_row(const RowPush& push, const AxesToWrite& target) {
   HWY_DYNAMIC_DISPATCH(push_row_of)(push, target);
-}
-
-void fill_path(const AxesToRead& rows, const AxesToRead& columns, const PathEntries& entries) {
-  HWY_DYNAMIC_DISPATCH(fill_path_of)(rows, columns, entries);
 }
 
 }  // namespace taut

@@ -67,14 +67,4 @@ struct RowPush {
 /// u_i += f w_a s_i c_i, u_{i+1} −= f w_b s_i c_i for every link i.
 void push_row(const RowPush& push, const AxesToWrite& target);
 
-/// The diagonals of the tridiagonal matrix of `count` links along a path, see path_matrix.cpp.
-struct PathEntries {
-  std::size_t count;
-  const double* weight;           ///< w_a + w_b
-  const double* coupling;         ///< ± w of the mass shared with the next link
-  const double* diagonal;         ///< what is added to the entries
-  double *entry, *above, *below;  ///< below: null where rows and columns are the same
-};
-void fill_path(const AxesToRead& rows, const AxesToRead& columns, const PathEntries& entries);
-
 }  // namespace taut

@@ -12,8 +12,9 @@ namespace taut {
 /// redundant (a taut straight row between two pins). It is given a share of the entry instead, which acts as
 /// a compliance in that link alone; where the lengths can be met Newton's method still meets them, because
 /// residuals are not touched.
+inline constexpr double least_pivot_share = 1e-11;
 inline double mended_pivot(double pivot, double entry) {
-  return std::abs(pivot) < 1e-11 * std::abs(entry) ? 1e-7 * entry : pivot;
+  return std::abs(pivot) < least_pivot_share * std::abs(entry) ? 1e-7 * entry : pivot;
 }
 
 /// For links in path_order().

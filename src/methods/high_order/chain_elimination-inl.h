@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "direct/link_matrices.h"
+#include "direct/pivots-inl.h"
 #include "high_order/chain_motion.h"
 #include "high_order/sums-inl.h"
 
@@ -37,9 +38,9 @@ struct ChainArrays {
   AxesToWrite moved;   // accelerations, positions or velocities
 };
 
-// A block's rows of the matrix: A_ii, and A_{i−1,i} of its links and the one behind them.
+// A block's rows of the matrix: A_ii, and A_{i−1,i} of its links and the one behind them; and 1/δ_i.
 struct BlockRows {
-  double entry[most_block_links], shared[most_block_links + 1];
+  double entry[most_block_links], shared[most_block_links + 1], inverse[most_block_links];
 };
 
 // u of the lower mass less that of the higher one.
@@ -114,8 +115,9 @@ HWY_INLINE void gather_block(const ChainLinks& links, const PhaseSums& at, const
   if constexpr (wanted == Wanted::acceleration) {
     constexpr std::size_t room = most_block_links + 1;
     double x[3][room], v[3][room];
+    const SpreadWeights weights(at.sums);
     for (std::size_t axis = 0; axis < 3; ++axis)
-      for_phases(at, axis, block.mass, block.mass + block.count + 1,
+      for_phases(at, weights, axis, block.mass, block.mass + block.count + 1,
                  [&](auto tag, std::size_t i, auto position, auto velocity) TAUT_INLINED {
                    hn::StoreU(position, tag, x[axis] + (i - block.mass));
                    hn::StoreU(velocity, tag, v[axis] + (i - block.mass));
@@ -130,116 +132,114 @@ HWY_INLINE void gather_block(const ChainLinks& links, const PhaseSums& at, const
   }
 }
 
-// How far an elimination has come: the last pivot's inverse, and the right side there.
-struct Elimination {
-  double inverse = 0.0, right = 0.0;
+// Asks for what the sums of so many masses from i on read: so memory works while links are eliminated.
+HWY_INLINE void fetch_masses(const PhaseSums& at, std::size_t i, std::size_t count) {
+  constexpr std::size_t line = 64 / sizeof(double);  // of the cache
+  const auto fetch = [&](const double* values) TAUT_INLINED {
+    for (std::size_t k = 0; k < count; k += line) hwy::Prefetch(values + k);
+  };
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    fetch(at.position[axis] + i);
+    fetch(at.velocity[axis] + i);
+    for (std::size_t j = 0; j < at.sums.count; ++j) fetch(at.sums.terms[j].axes[axis] + i);
+  }
+}
+
+// The elimination of one half: of the front upwards, after the link before, and of the back downwards.
+template <bool upwards>
+class HalfElimination : public Elimination<upwards> {
+ public:
+  // Begins a block, whose rows are those from `row` on.
+  HWY_INLINE void begin_block(const ChainBlock& block, BlockRows& rows, std::size_t row,
+                              const ChainArrays& arrays) {
+    constexpr std::size_t to_last = upwards ? 0 : 1;
+    this->count_ = block.count;
+    this->inverse_ = rows.inverse + row;
+    this->rows_ = {rows.entry + row, rows.shared + row + to_last, rows.shared + row + to_last};
+    passed_ = arrays.passed + block.link + to_last;
+    multiplier_ = arrays.multiplier + block.link;
+  }
+
+  HWY_INLINE void pass_on(std::size_t k) { reduce(this->place(k), this->inverse_[this->place(k)]); }
+  HWY_INLINE void pass_on_alone(std::size_t k) { reduce(this->place(k), this->next_inverse(k)); }
+
+ private:
+  // The right side.
+  HWY_INLINE void reduce(std::size_t i, double inverse) {
+    passed_[i] = this->rows_.tie[i] * this->last_inverse_;
+    last_right_ = multiplier_[i] - passed_[i] * last_right_;
+    multiplier_[i] = last_right_ * inverse;
+    this->last_inverse_ = inverse;
+  }
+
+  double last_right_ = 0.0;
+  double *passed_ = nullptr, *multiplier_ = nullptr;
 };
 
-HWY_INLINE void eliminate(double entry, double shared, double& passed, double& multiplier,
-                          Elimination& last) {
-  passed = shared * last.inverse;
-  last.inverse = 1.0 / mended_pivot(entry - shared * shared * last.inverse, entry);
-  last.right = multiplier - passed * last.right;
-  multiplier = last.right * last.inverse;
-}
-
-// Asks for what the sums of the masses from i on read, as many as fit a line of the cache: so memory works
-// while divisions are waited for.
-HWY_INLINE void fetch_masses(const PhaseSums& at, std::size_t i) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    hwy::Prefetch(at.position[axis] + i);
-    hwy::Prefetch(at.velocity[axis] + i);
-    for (std::size_t j = 0; j < at.sums.count; ++j) hwy::Prefetch(at.sums.terms[j].axes[axis] + i);
-  }
-}
-
-// A link of the front half, after the one before it, and of the back half, after the one behind it.
-HWY_INLINE void eliminate_upwards(const ChainBlock& block, std::size_t k, const double* entry,
-                                  const double* shared, const ChainArrays& arrays, Elimination& last) {
-  const std::size_t i = block.link + k;
-  eliminate(entry[k], shared[k], arrays.passed[i], arrays.multiplier[i], last);
-}
-HWY_INLINE void eliminate_downwards(const ChainBlock& block, std::size_t k, const double* entry,
-                                    const double* shared, const ChainArrays& arrays, Elimination& last) {
-  const std::size_t i = block.link + k;
-  eliminate(entry[k], shared[k + 1], arrays.passed[i + 1], arrays.multiplier[i], last);
-}
-
-// One half from its end to the middle, for a thread of its own.
-template <Wanted wanted>
-HWY_INLINE Elimination eliminate_half(const ChainLinks& links, bool front, const PhaseSums& at,
-                                      const ChainArrays& arrays) {
+// One half from its end to the middle, for a thread of its own; returns the last pivot's inverse.
+template <Wanted wanted, bool upwards>
+HWY_INLINE double eliminate_half(const ChainLinks& links, const PhaseSums& at, const ChainArrays& arrays) {
   BlockRows rows;
-  Elimination last;
-  const std::vector<ChainBlock>& blocks = front ? links.front : links.back;
+  HalfElimination<upwards> half;
+  const std::vector<ChainBlock>& blocks = upwards ? links.front : links.back;
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     const ChainBlock& block = blocks[b];
-    gather_block<wanted>(links, at, block, front ? shared_upwards(block) : shared_downwards(block), arrays,
+    gather_block<wanted>(links, at, block, upwards ? shared_upwards(block) : shared_downwards(block), arrays,
                          rows);
-    for (std::size_t k = 0; k < block.count; ++k) {
-      if (b + 1 < blocks.size() && k % 8 == 0) fetch_masses(at, blocks[b + 1].mass + k);
-      if (front)
-        eliminate_upwards(block, k, rows.entry, rows.shared, arrays, last);
-      else
-        eliminate_downwards(block, block.count - 1 - k, rows.entry, rows.shared, arrays, last);
-    }
+    half.begin_block(block, rows, 0, arrays);
+    const auto fetch = [&](std::size_t k) TAUT_INLINED {
+      if (b + 1 < blocks.size()) fetch_masses(at, blocks[b + 1].mass + k, pivots_at_once);
+    };
+    eliminate(0, block.count, fetch, half);
   }
-  return last;
+  return half.last_inverse();
 }
 
-struct BothEliminations {
-  Elimination front, back;
+struct LastInverses {
+  double front = 0.0, back = 0.0;
 };
 
 // Both halves, in turn.
 template <Wanted wanted>
-HWY_INLINE BothEliminations eliminate_both(const ChainLinks& links, const PhaseSums& at,
-                                           const ChainArrays& arrays) {
+HWY_INLINE LastInverses eliminate_halves(const ChainLinks& links, const PhaseSums& at,
+                                         const ChainArrays& arrays) {
   BlockRows front_rows, back_rows;
-  BothEliminations last;
+  HalfElimination<true> on_front;
+  HalfElimination<false> on_back;
   const ChainBlock none;
   for (std::size_t b = 0; b < std::max(links.front.size(), links.back.size()); ++b) {
     const ChainBlock& front = b < links.front.size() ? links.front[b] : none;
     const ChainBlock& back = b < links.back.size() ? links.back[b] : none;
-    const double *back_entry = back_rows.entry, *back_shared = back_rows.shared;
     if (links.is_short) {
       gather_block<wanted>(links, at, links.whole, {0, links.whole.count + 1}, arrays, front_rows);
-      back_entry = front_rows.entry + links.middle;
-      back_shared = front_rows.shared + links.middle;
     } else {
       if (front.count > 0) gather_block<wanted>(links, at, front, shared_upwards(front), arrays, front_rows);
       if (back.count > 0) gather_block<wanted>(links, at, back, shared_downwards(back), arrays, back_rows);
     }
-    const auto step_front = [&](std::size_t k) TAUT_INLINED {
-      eliminate_upwards(front, k, front_rows.entry, front_rows.shared, arrays, last.front);
-    };
-    const auto step_back = [&](std::size_t k) TAUT_INLINED {
-      eliminate_downwards(back, back.count - 1 - k, back_entry, back_shared, arrays, last.back);
-    };
-    const std::size_t both = std::min(front.count, back.count);
+    on_front.begin_block(front, front_rows, 0, arrays);
+    if (links.is_short)
+      on_back.begin_block(back, front_rows, links.middle, arrays);
+    else
+      on_back.begin_block(back, back_rows, 0, arrays);
     const bool more = b + 1 < links.front.size() && b + 1 < links.back.size();
-    for (std::size_t k = 0; k < both; ++k) {
-      if (more && k % 8 == 0) {
-        fetch_masses(at, links.front[b + 1].mass + k);
-        fetch_masses(at, links.back[b + 1].mass + k);
-      }
-      step_front(k);
-      step_back(k);
-    }
-    for (std::size_t k = both; k < front.count; ++k) step_front(k);
-    for (std::size_t k = both; k < back.count; ++k) step_back(k);
+    const auto fetch = [&](std::size_t k) TAUT_INLINED {
+      if (!more) return;
+      fetch_masses(at, links.front[b + 1].mass + k, pivots_at_once);
+      fetch_masses(at, links.back[b + 1].mass + k, pivots_at_once);
+    };
+    eliminate_both(front.count, back.count, fetch, on_front, on_back);
   }
-  return last;
+  return {on_front.last_inverse(), on_back.last_inverse()};
 }
 
 // Where the halves meet: λ' = y' − p' λ and λ = y − p λ'.
-HWY_INLINE void meet(const ChainLinks& links, const BothEliminations& last, const ChainArrays& arrays) {
+HWY_INLINE void meet(const ChainLinks& links, const LastInverses& last, const ChainArrays& arrays) {
   const std::size_t middle = links.middle;
   if (middle == 0) return;
   double along = 0.0;
   for (const double* direction : arrays.direction) along += direction[middle - 1] * direction[middle];
   const double shared = links.coupling[middle] * along;
-  const double to_front = shared * last.front.inverse, to_back = shared * last.back.inverse;
+  const double to_front = shared * last.front, to_back = shared * last.back;
   arrays.passed[middle] = to_front;
   arrays.multiplier[middle] = (arrays.multiplier[middle] - to_back * arrays.multiplier[middle - 1]) /
                               mended_pivot(1.0 - to_front * to_back, 1.0);

@@ -151,12 +151,15 @@ HWY_INLINE double solve(const ChainLinks& links, const PhaseSums& at, Workers* w
       to_write(moved)};
   double unsound = 0.0;
   if (workers == nullptr) {
-    meet(links, eliminate_both<wanted>(links, at, arrays), arrays);
+    meet(links, eliminate_halves<wanted>(links, at, arrays), arrays);
     unsound = substitute_both<wanted>(links, at, arrays);
   } else {
-    BothEliminations last;
+    LastInverses last;
     run_jobs(workers, 2, [&](std::size_t half) {
-      (half == 0 ? last.front : last.back) = eliminate_half<wanted>(links, half == 0, at, arrays);
+      if (half == 0)
+        last.front = eliminate_half<wanted, true>(links, at, arrays);
+      else
+        last.back = eliminate_half<wanted, false>(links, at, arrays);
     });
     meet(links, last, arrays);
     std::array<double, 2> of_halves{};

@@ -17,8 +17,9 @@ namespace taut::HWY_NAMESPACE {
 
 void write_all(const PhaseSums& at, Phase& phase) {
   const AxesToWrite positions = to_write(phase.position), velocities = to_write(phase.velocity);
+  const SpreadWeights weights(at.sums);
   for (std::size_t axis = 0; axis < 3; ++axis)
-    for_phases(at, axis, 0, at.masses,
+    for_phases(at, weights, axis, 0, at.masses,
                [&](auto tag, std::size_t i, auto position, auto velocity) TAUT_INLINED {
                  hn::StoreU(position, tag, positions[axis] + i);
                  hn::StoreU(velocity, tag, velocities[axis] + i);
@@ -28,26 +29,27 @@ void write_all(const PhaseSums& at, Phase& phase) {
 std::array<LargestSums, 2> write_and_look(const PhaseSums& at, const std::array<VectorSums, 2>& others,
                                           std::size_t begin, std::size_t end, Phase& phase) {
   const AxesToWrite positions = to_write(phase.position), velocities = to_write(phase.velocity);
-  std::array<LargestMet, 2> in_position, in_velocity;
+  const SpreadWeights weights(at.sums), of_first(others[0]), of_second(others[1]);
+  LargestMet first_position, first_velocity, second_position, second_velocity;
   for (std::size_t axis = 0; axis < 3; ++axis)
     for_groups(Widest(), begin, end, [&](auto tag, std::size_t i) TAUT_INLINED {
-      SumsOfOne sums(tag), first(tag), second(tag);
+      Sums sums(tag), first(tag), second(tag);
       for (std::size_t j = 0; j < at.sums.count; ++j) {
-        const auto value = hn::LoadU(tag, at.sums.terms[j].axes[axis] + i);
-        sums.add(tag, at.sums.terms[j], value);
-        first.add(tag, others[0].terms[j], value);
-        second.add(tag, others[1].terms[j], value);
+        const double* values = at.sums.terms[j].axes[axis] + i;
+        sums.add(tag, weights, j, values);
+        first.add(tag, of_first, j, values);
+        second.add(tag, of_second, j, values);
       }
-      move_on(tag, at, axis, i, sums);
-      hn::StoreU(sums.position, tag, positions[axis] + i);
-      hn::StoreU(sums.velocity, tag, velocities[axis] + i);
-      in_position[0].look(tag, hn::Abs(first.position));
-      in_velocity[0].look(tag, hn::Abs(first.velocity));
-      in_position[1].look(tag, hn::Abs(second.position));
-      in_velocity[1].look(tag, hn::Abs(second.velocity));
+      move_on(tag, at, axis, i, sums.position[0], sums.velocity[0]);
+      hn::StoreU(sums.position[0], tag, positions[axis] + i);
+      hn::StoreU(sums.velocity[0], tag, velocities[axis] + i);
+      first_position.look(tag, hn::Abs(first.position[0]));
+      first_velocity.look(tag, hn::Abs(first.velocity[0]));
+      second_position.look(tag, hn::Abs(second.position[0]));
+      second_velocity.look(tag, hn::Abs(second.velocity[0]));
     });
-  return {{{in_position[0].of_all(), in_velocity[0].of_all()},
-           {in_position[1].of_all(), in_velocity[1].of_all()}}};
+  return {{{first_position.of_all(), first_velocity.of_all()},
+           {second_position.of_all(), second_velocity.of_all()}}};
 }
 
 }  // namespace taut::HWY_NAMESPACE

@@ -40,17 +40,25 @@ HWY_INLINE void for_groups(D tag, std::size_t begin, std::size_t end, const Visi
 }
 
 // The largest of what lanes have met; not a number where one of them has met what is not finite.
-struct LargestMet {
-  static constexpr std::size_t lanes = hn::MaxLanes(Widest());
-  HWY_ALIGN double largest[lanes] = {};
-  HWY_ALIGN double unsound[lanes] = {};  // 0, or not a number
+class LargestMet {
+ public:
+  HWY_INLINE LargestMet() : largest_(hn::Zero(Widest())), unsound_(hn::Zero(Widest())) {}
 
+  HWY_INLINE void look(Widest tag, hn::Vec<Widest> value) {
+    largest_ = hn::Max(largest_, value);
+    unsound_ = hn::Add(unsound_, hn::Mul(hn::Zero(tag), value));
+  }
+  // Fewer than a vector has lanes for, as at an end.
   template <class D>
   HWY_INLINE void look(D tag, hn::Vec<D> value) {
-    hn::Store(hn::Max(hn::Load(tag, largest), value), tag, largest);
-    hn::Store(hn::Add(hn::Load(tag, unsound), hn::Mul(hn::Zero(tag), value)), tag, unsound);
+    HWY_ALIGN double values[lanes] = {};
+    hn::Store(value, tag, values);
+    look(Widest(), hn::Load(Widest(), values));
   }
   HWY_INLINE double of_all() const {
+    HWY_ALIGN double largest[lanes], unsound[lanes];  // 0, or not a number
+    hn::Store(largest_, Widest(), largest);
+    hn::Store(unsound_, Widest(), unsound);
     double most = 0.0, lost = 0.0;
     for (std::size_t i = 0; i < lanes; ++i) {
       most = std::max(most, largest[i]);
@@ -58,42 +66,79 @@ struct LargestMet {
     }
     return lost == 0.0 ? most : std::numeric_limits<double>::quiet_NaN();
   }
+
+ private:
+  static constexpr std::size_t lanes = hn::MaxLanes(Widest());
+  hn::Vec<Widest> largest_, unsound_;
 };
 
-// Sums of a coordinate of as many masses as vectors have lanes.
-template <class D>
-struct SumsOfOne {
-  hn::Vec<D> position, velocity;
+// The weights of sums, each in every lane: so a term takes a load, two products and two sums.
+struct SpreadWeights {
+  static constexpr std::size_t lanes = hn::MaxLanes(Widest());
+  HWY_ALIGN double in_position[VectorSums::most][lanes];
+  HWY_ALIGN double in_velocity[VectorSums::most][lanes];
 
-  HWY_INLINE explicit SumsOfOne(D tag) : position(hn::Zero(tag)), velocity(hn::Zero(tag)) {}
-
-  HWY_INLINE void add(D tag, const VectorSums::Term& term, hn::Vec<D> value) {
-    position = hn::Add(position, hn::Mul(hn::Set(tag, term.in_position), value));
-    velocity = hn::Add(velocity, hn::Mul(hn::Set(tag, term.in_velocity), value));
+  HWY_INLINE explicit SpreadWeights(const VectorSums& sums) {
+    for (std::size_t j = 0; j < sums.count; ++j) {
+      hn::Store(hn::Set(Widest(), sums.terms[j].in_position), Widest(), in_position[j]);
+      hn::Store(hn::Set(Widest(), sums.terms[j].in_velocity), Widest(), in_velocity[j]);
+    }
   }
 };
 
-// From what masses have moved to where they are. What is small is summed first.
+// Sums of a coordinate of as many masses as so many vectors have lanes.
+template <class D, std::size_t vectors = 1>
+struct Sums {
+  hn::Vec<D> position[vectors], velocity[vectors];
+
+  HWY_INLINE explicit Sums(D tag) {
+    for (std::size_t k = 0; k < vectors; ++k) position[k] = velocity[k] = hn::Zero(tag);
+  }
+
+  // Of what lies in memory from `values` on.
+  HWY_INLINE void add(D tag, const SpreadWeights& weights, std::size_t term, const double* values) {
+    const auto in_position = hn::Load(tag, weights.in_position[term]);
+    const auto in_velocity = hn::Load(tag, weights.in_velocity[term]);
+    for (std::size_t k = 0; k < vectors; ++k) {
+      const auto value = hn::LoadU(tag, values + k * hn::Lanes(tag));
+      position[k] = hn::Add(position[k], hn::Mul(in_position, value));
+      velocity[k] = hn::Add(velocity[k], hn::Mul(in_velocity, value));
+    }
+  }
+};
+
+// From what a mass has moved to where it is. What is small is summed first.
 template <class D>
-HWY_INLINE void move_on(D tag, const PhaseSums& at, std::size_t axis, std::size_t i, SumsOfOne<D>& sums) {
+HWY_INLINE void move_on(D tag, const PhaseSums& at, std::size_t axis, std::size_t i, hn::Vec<D>& position,
+                        hn::Vec<D>& velocity) {
   const auto before = hn::LoadU(tag, at.velocity[axis] + i);
-  const auto moved = hn::Add(hn::Mul(hn::Set(tag, at.drift), before), sums.position);
-  sums.position = hn::Add(hn::LoadU(tag, at.position[axis] + i), moved);
-  sums.velocity = hn::Add(before, sums.velocity);
+  const auto moved = hn::Add(hn::Mul(hn::Set(tag, at.drift), before), position);
+  position = hn::Add(hn::LoadU(tag, at.position[axis] + i), moved);
+  velocity = hn::Add(before, velocity);
 }
 
-// Calls use(tag, i, position, velocity) with a coordinate of masses. One coordinate after the other is what
-// memory likes: a dozen streams at once, not forty.
+// Calls use(tag, i, position, velocity) with a coordinate of as many masses as so many vectors have lanes.
+template <std::size_t vectors, class D, class Use>
+HWY_INLINE void sum_phases(D tag, const PhaseSums& at, const SpreadWeights& weights, std::size_t axis,
+                           std::size_t i, const Use& use) {
+  Sums<D, vectors> sums(tag);
+  for (std::size_t j = 0; j < at.sums.count; ++j) sums.add(tag, weights, j, at.sums.terms[j].axes[axis] + i);
+  for (std::size_t k = 0; k < vectors; ++k, i += hn::Lanes(tag)) {
+    move_on(tag, at, axis, i, sums.position[k], sums.velocity[k]);
+    use(tag, i, sums.position[k], sums.velocity[k]);
+  }
+}
+
+// The same of all masses of a range. One coordinate after the other is what memory likes: a dozen streams at
+// once, not forty; and four vectors at once, for which weights are read only once.
 template <class Use>
-HWY_INLINE void for_phases(const PhaseSums& at, std::size_t axis, std::size_t begin, std::size_t end,
-                           const Use& use) {
-  for_groups(Widest(), begin, end, [&](auto tag, std::size_t i) TAUT_INLINED {
-    SumsOfOne sums(tag);
-    for (std::size_t j = 0; j < at.sums.count; ++j)
-      sums.add(tag, at.sums.terms[j], hn::LoadU(tag, at.sums.terms[j].axes[axis] + i));
-    move_on(tag, at, axis, i, sums);
-    use(tag, i, sums.position, sums.velocity);
-  });
+HWY_INLINE void for_phases(const PhaseSums& at, const SpreadWeights& weights, std::size_t axis,
+                           std::size_t begin, std::size_t end, const Use& use) {
+  const Widest widest;
+  const std::size_t four = 4 * hn::Lanes(widest);
+  for (; begin + four <= end; begin += four) sum_phases<4>(widest, at, weights, axis, begin, use);
+  for_groups(widest, begin, end,
+             [&](auto tag, std::size_t i) TAUT_INLINED { sum_phases<1>(tag, at, weights, axis, i, use); });
 }
 
 }  // namespace taut::HWY_NAMESPACE
