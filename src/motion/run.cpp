@@ -22,11 +22,6 @@ constexpr std::int64_t steps_between_looks = 16;
 constexpr int parts_for_work = 4;    // of a step that the method chose, between which work is looked at
 constexpr double least_part = 1e-4;  // of a step, that is worth one of its own
 constexpr int most_cuts = 32;        // of a step; what breaks beyond that does so at its end
-// How near to a stop a cut comes, as a share of the step, and how much of the way there it makes at once.
-constexpr double nearest_to_stop = 1e-11, cautious = 0.999;
-// s, in which an impact happens: so long that positions tell velocities by it, and so short that nothing else
-// does much.
-constexpr double impact_time = 1e-8;
 
 const Method& willing(const Method& method, const Model& model, const State& start,
                       const Settings& settings) {
@@ -86,7 +81,8 @@ Run::Run(const Model& model, const State& start, const Method& method, const Set
       energy_base_{energy(model, start), energy_scale(model, start)},
       stepper_(method_.make(model, settings_, execution)),
       ledger_(model, saved.state, saved.work),
-      report_(saved.report) {
+      report_(saved.report),
+      parts_{std::min(saved.parts.depth, policy.most_halvings), saved.parts.calm_steps} {
   // Without rigid links there is nothing that a shorter step would solve better.
   if (policy.watch_energy && method_.can.takes_steps_back && has_rigid_links(model))
     guard_ = std::make_unique<EnergyGuard>(model, start);
@@ -123,9 +119,11 @@ bool Run::step() {
   if (method_.can.chooses_steps) return own_step();
   const double begin = step_time(report_.steps);
   cuts_left_ = most_cuts;
+  made_depth_ = 0;
   const StepReport step = step_through_changes(begin, step_time(report_.steps + 1));
   report_.counts.add(step);
-  if (step.halvings > 0) note_halving(begin, step);
+  if (made_depth_ > 0) note_parts(begin, step);
+  choose_parts();
   if (step.status != StepStatus::done) {
     report_.end = RunEnd::step_failed;
     return false;
@@ -181,119 +179,6 @@ bool Run::own_step() {
   if (stepper_->glimpse().time >= next_change()) change(model_->changes[changes_made_++]);
   ++report_.steps;
   return report_.steps % steps_between_looks != 0 || holds_together();
-}
-
-// One step of h, or two of h/2 where it can't be solved, as deep as `halvings` allows. What moves is only
-// changed when all of it succeeded.
-StepReport Run::guarded_step(double h, double end_time, int halvings) {
-  StepReport report = stepper_->step(h, end_time);
-  if (report.status == StepStatus::done && guard_ &&
-      guard_->exceeded(*stepper_, h,
-                       ledger_.keeps_anything() ? ledger_.until(stepper_->glimpse()) : ledger_.work())) {
-    stepper_->undo();
-    report.status = StepStatus::energy_jump;
-  }
-  if (report.status == StepStatus::done) {
-    // Where tension and positions are of second order, the moment of a break is, too.
-    if (method_.can.tension_order >= 2 && cuts_left_ > 0 && !model_->breakable_links.empty() &&
-        !links_over_threshold(*model_, method_.can, state()).empty())
-      return cut_step(h, end_time, halvings, report);
-    if (cuts_at_stops_) {
-      const std::vector<bool> touched = touched_stops(*model_, state());
-      if (cuts_left_ > 0 && meets_more(touched, touched_))
-        return stopped_step(h, end_time, halvings, report, touched);
-      touched_ = touched;
-    }
-    if (ledger_.keeps_anything()) ledger_.record(stepper_->glimpse());
-    ledger_.add_contacts(report.contact_work);
-    return report;
-  }
-  if (halvings == 0 || !method_.can.takes_steps_back) return report;
-  const StepReport first_failure = report;
-  const State start = state();
-  const WorkLedger ledger = ledger_;
-  report.halvings += 1;
-  report_.deepest_halving = std::max(report_.deepest_halving, policy_.most_halvings - halvings + 1);
-  report.add(guarded_step(0.5 * h, end_time - 0.5 * h, halvings - 1));
-  if (report.status == StepStatus::done) report.add(guarded_step(0.5 * h, end_time, halvings - 1));
-  if (report.status != StepStatus::done) {
-    stepper_->load(start);
-    ledger_ = ledger;
-    report.status = first_failure.status;
-  }
-  report.worst_link = first_failure.worst_link;
-  return report;
-}
-
-void Run::note_halving(double begin, const StepReport& report) {
-  if (report_.halved_steps == 0) report_.first_halved_at = begin;
-  ++report_.halved_steps;
-  report_.last_halved_at = begin;
-  report_.halved_at_link = report.worst_link;
-}
-
-// The step just made, made again as far as the first break in it, and the rest without what broke.
-StepReport Run::cut_step(double h, double end_time, int halvings, StepReport report) {
-  --cuts_left_;
-  const State after = state();
-  stepper_->undo();
-  const State start = stepper_->store();
-  const WorkLedger ledger = ledger_;
-  const FirstBreak first = *first_break(*model_, start, after);
-  const double share = first.share < least_part ? 0.0 : first.share > 1.0 - least_part ? 1.0 : first.share;
-  const double part = share * h, rest = h - part;
-  if (part > 0.0) report.add(stepper_->step(part, rest > 0.0 ? end_time - rest : end_time));
-  if (report.status == StepStatus::done) {
-    break_links(first.links, report);
-    if (rest > 0.0) report.add(guarded_step(rest, end_time, halvings));
-  }
-  if (report.status != StepStatus::done) {
-    stepper_->load(start);
-    ledger_ = ledger;
-  }
-  return report;
-}
-
-// The step just made, which touches more stops than before, made again as far as just before the first of
-// them, and then the rest of it, with the stop there from its start: so the impulse comes at its moment. That
-// moment is found from before, by what the angle's rate says, and by halving what goes too far.
-StepReport Run::stopped_step(double h, double end_time, int halvings, StepReport report,
-                             const std::vector<bool>& touched) {
-  --cuts_left_;
-  stepper_->undo();
-  const State start = stepper_->store();
-  const WorkLedger ledger = ledger_;
-  const auto make = [&](double part) {
-    stepper_->load(start);
-    if (part > 0.0) report.add(stepper_->step(part, end_time - (h - part)));
-    return report.status == StepStatus::done;
-  };
-  State last = start;
-  double before = 0.0, behind = h;
-  while (behind - before > nearest_to_stop * h) {
-    const double way = time_to_stop(*model_, last, touched_);
-    double part = before + cautious * way;
-    if (!(part > before && part < behind)) part = 0.5 * (before + behind);
-    if (way < nearest_to_stop * h || !make(part)) break;
-    if (meets_more(touched_stops(*model_, state()), touched_)) {
-      behind = part;
-    } else {
-      before = part;
-      last = state();
-    }
-  }
-  if (report.status == StepStatus::done && make(before)) {
-    touched_ = touched;
-    // A stop that has pushed in a step holds to its end: so the impulse has a short one of its own.
-    const double impact = std::min(impact_time, h - before), rest = h - before - impact;
-    report.add(stepper_->step(impact, rest > 0.0 ? end_time - rest : end_time));
-    if (report.status == StepStatus::done && rest > 0.0) report.add(guarded_step(rest, end_time, halvings));
-  }
-  if (report.status != StepStatus::done) {
-    stepper_->load(start);
-    ledger_ = ledger;
-  }
-  return report;
 }
 
 // All of them at once, effective from the next step on.
@@ -379,7 +264,7 @@ RunMeasures Run::measures(const State& state) const {
 }
 
 RunState Run::save() const {
-  return {state(), report_, work()};
+  return {state(), report_, work(), parts_};
 }
 
 }  // namespace taut

@@ -6,7 +6,7 @@
 namespace taut {
 namespace {
 
-constexpr std::string_view begins_with = "taut run state 4\n";
+constexpr std::string_view begins_with = "taut run state 5\n";
 
 // One list of the parts serves both ways: `pass` is called for each of them.
 template <class Pass, class Saved>
@@ -43,6 +43,7 @@ void for_each_part(Saved& saved, const Pass& pass) {
   pass(saved.report.last_halved_at);
   pass(saved.report.halved_at_link);
   pass(saved.work);
+  pass(saved.parts);
 }
 
 }  // namespace

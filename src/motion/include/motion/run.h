@@ -90,7 +90,9 @@ class Run {
   double step_time(std::int64_t step) const;
   bool own_step();
   StepReport guarded_step(double h, double end_time, int halvings);
-  void note_halving(double begin, const StepReport& report);
+  StepReport halved_step(double h, double end_time, int halvings, const StepReport& whole);
+  void note_parts(double begin, const StepReport& report);
+  void choose_parts();
   StepReport cut_step(double h, double end_time, int halvings, StepReport report);
   StepReport stopped_step(double h, double end_time, int halvings, StepReport report,
                           const std::vector<bool>& touched);
@@ -119,7 +121,10 @@ class Run {
   std::vector<bool> touched_;    // stops at the end of the last step, where steps are cut at them
   std::optional<State> before_;  // the step before the last, where a time in between was asked for
   RunReport report_;
-  int cuts_left_ = 0;  // of the present step, at breaks and stops
+  StepParts parts_;
+  // Of the present step:
+  int made_depth_ = 0;  // how often the shortest of its parts is halved
+  int cuts_left_ = 0;   // at breaks and stops
 };
 
 }  // namespace taut

@@ -9,11 +9,18 @@
 
 namespace taut {
 
+/// In which parts the next step is made at once, without trying longer ones first.
+struct StepParts {
+  int depth = 0;       ///< how often the step is halved
+  int calm_steps = 0;  ///< how many steps in a row held in these parts
+};
+
 /// All that a run is beside its model, its start and its settings: enough to go on from, bit for bit.
 struct RunState {
   State state;
   RunReport report;
   Work work;
+  StepParts parts = {};
 };
 
 /// The same as bytes, for a file or another process on a machine of the same byte order.
