@@ -158,12 +158,12 @@ std::optional<Checkpoint> FrameFolder::checkpoint(std::span<const int> frames) c
   return all_before ? std::move(there) : std::nullopt;
 }
 
-void FrameFolder::write(const Checkpoint& checkpoint) {
+void FrameFolder::write(const Checkpoint& checkpoint, std::string_view metrics) {
   sync_files(unsynced_);
   unsynced_.clear();
   save();
   sync_files(std::array{manifest_file()});
-  write_checkpoint(checkpoint_file(), manifest_.inputs, checkpoint);
+  write_checkpoint(checkpoint_file(), manifest_.inputs, checkpoint, metrics);
 }
 
 bool FrameFolder::has_checkpoint() const {

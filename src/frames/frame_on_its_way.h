@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <future>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,10 +13,20 @@
 #include "frames/panels.h"
 #include "output/checkpoint.h"
 #include "panel_runs.h"
+#include "scene/scene.h"
 
 namespace taut {
 
 // What stages hand on to each other (frames.cpp).
+
+/// So many frames at most wait before a stage: two, so that none is held up by one that takes longer; but one
+// of large scenes, whose states and shapes take a few hundred bytes a mass each.
+inline std::size_t most_waiting(std::span<const Scene> scenes) {
+  constexpr std::size_t many_masses = 200'000;
+  std::size_t masses = 0;
+  for (const Scene& scene : scenes) masses += scene.model.masses.size();
+  return masses < many_masses ? 2 : 1;
+}
 
 /// A moment on its way from the simulation to what is seen of it.
 struct Posed {

@@ -58,7 +58,12 @@ class Pipeline {
  public:
   Pipeline(std::span<const Scene> scenes, const RenderRequest& request, RenderJob& job, Progress& progress,
            const StopTest& stop)
-      : scenes_(scenes), request_(request), job_(job), progress_(progress), stop_(stop) {}
+      : scenes_(scenes),
+        request_(request),
+        job_(job),
+        progress_(progress),
+        stop_(stop),
+        most_waiting_(most_waiting(scenes)) {}
 
   RenderOutcome run();
 
@@ -96,8 +101,10 @@ class Pipeline {
   StageClock clock_;
   MetricsRecorder metrics_;
   CheckpointClock checkpoints_;
-  BoundedQueue<Posed> posed_{2};
-  BoundedQueue<Shaped> shaped_{2};
+  std::weak_ptr<const Checkpoint> last_checkpoint_;
+  std::size_t most_waiting_;  // frames before a stage
+  BoundedQueue<Posed> posed_{most_waiting_};
+  BoundedQueue<Shaped> shaped_{most_waiting_};
   BoundedQueue<DrawnFrame> to_finish_{2};
   std::list<Lane> lanes_;
   PictureNotes notes_;
@@ -124,12 +131,15 @@ void Pipeline::foretell() const {
 }
 
 std::shared_ptr<const Checkpoint> Pipeline::checkpoint(PanelRuns& runs, int frame, double time) {
-  if (!job_.folder || !checkpoints_.due()) return nullptr;
+  // They are as large as the scene: one at a time is on its way.
+  if (!job_.folder || !last_checkpoint_.expired() || !checkpoints_.due()) return nullptr;
   std::optional<std::string> state = clock_.time(
       Stage::simulate, [&] { return runs.save_before(time, told_to_stop_); }, frame);
   if (!state) return nullptr;
   checkpoints_.begun(0.0);
-  return std::make_shared<const Checkpoint>(Checkpoint{frame, *std::move(state)});
+  auto taken = std::make_shared<const Checkpoint>(Checkpoint{frame, *std::move(state)});
+  last_checkpoint_ = taken;
+  return taken;
 }
 
 void Pipeline::simulate(PanelRuns& runs) {
@@ -178,14 +188,13 @@ void Pipeline::shape(PanelPainter& painter) {
 }
 
 void Pipeline::draw(PanelPainter& painter) {
-  // While a frame is fetched the next one is being drawn.
-  constexpr std::size_t most_submitted = 2;
   std::deque<Submitted> submitted;
   while (std::optional<Submitted> frame = next_to_draw()) {
     clock_.time(
         Stage::draw, [&] { painter.submit(frame->shapes); }, frame->frame);
     submitted.push_back(*std::move(frame));
-    if (submitted.size() < most_submitted) continue;
+    // While a frame is fetched the next one is being drawn.
+    if (submitted.size() < most_waiting_) continue;
     fetch(std::move(submitted.front()), painter);
     submitted.pop_front();
   }

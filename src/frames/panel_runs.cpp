@@ -72,9 +72,15 @@ std::optional<std::string> PanelRuns::save_before(double time, const StopTest& s
     const std::optional<std::string> run =
         failed ? simulations_[i].save_end() : simulations_[i].save_before(time, stop);
     if (!run) return std::nullopt;
+    // Lent, for those of large scenes are not to be copied.
+    RunState shown{std::move(panels_[i].state), {}, {}};
+    const std::string state = to_bytes(shown);
+    panels_[i].state = std::move(shown.state);
+    bytes.reserve(bytes.size() + size_in_bytes(*run) + size_in_bytes(panels_[i].failure) +
+                  size_in_bytes(state));
     append_bytes(*run, bytes);
     append_bytes(panels_[i].failure, bytes);
-    append_bytes(to_bytes({panels_[i].state, {}, {}}), bytes);
+    append_bytes(state, bytes);
   }
   return bytes;
 }

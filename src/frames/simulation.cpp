@@ -31,9 +31,11 @@ std::pair<std::string, std::string> parts_of(std::string_view saved) {
 }
 
 std::string as_bytes(const RunState& run, const TrailRecorder& trails) {
+  const std::string moved = to_bytes(run), kept = trails.save();
   std::string bytes;
-  append_bytes(to_bytes(run), bytes);
-  append_bytes(trails.save(), bytes);
+  bytes.reserve(size_in_bytes(moved) + size_in_bytes(kept));
+  append_bytes(moved, bytes);
+  append_bytes(kept, bytes);
   return bytes;
 }
 

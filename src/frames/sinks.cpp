@@ -23,10 +23,9 @@ void FolderSink::write(const FinishedFrame& frame) {
       Stage::write, [&] { folder_.write(frame.frame, frame.file, frame.state_hash); }, frame.frame);
 }
 
-void FolderSink::keep(Checkpoint checkpoint) {
+void FolderSink::keep(const Checkpoint& checkpoint) {
   const Stopwatch watch;
-  if (metrics_ != nullptr) checkpoint.metrics = metrics_->before(checkpoint.frame, clock_);
-  folder_.write(checkpoint);
+  folder_.write(checkpoint, metrics_ != nullptr ? metrics_->before(checkpoint.frame, clock_) : std::string());
   checkpoints_.written(watch.seconds());
 }
 

@@ -37,7 +37,7 @@ class FolderSink final : public FrameSink {
   void take(const FinishedFrame& frame, const StopTest& stop) override;
 
  private:
-  void keep(Checkpoint checkpoint);
+  void keep(const Checkpoint& checkpoint);
   void write(const FinishedFrame& frame);
 
   FrameFolder& folder_;

@@ -49,7 +49,11 @@ void for_each_part(Saved& saved, const Pass& pass) {
 }  // namespace
 
 std::string to_bytes(const RunState& saved) {
-  std::string bytes(begins_with);
+  std::size_t size = begins_with.size();
+  for_each_part(saved, [&size](const auto& part) { size += size_in_bytes(part); });
+  std::string bytes;
+  bytes.reserve(size);
+  bytes += begins_with;
   for_each_part(saved, [&bytes](const auto& part) { append_bytes(part, bytes); });
   return bytes;
 }

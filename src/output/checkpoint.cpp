@@ -21,31 +21,31 @@ namespace {
 constexpr std::string_view checkpoint_begins_with = "taut checkpoint 2\n";
 constexpr double least_seconds_between = 0.5, most_of_the_run = 1.0 / 150.0;
 
-std::string checkpoint_hash(std::string_view inputs, const Checkpoint& checkpoint) {
+std::string checkpoint_hash(std::string_view inputs, const Checkpoint& checkpoint, std::string_view metrics) {
   return Hash()
       .add(inputs)
       .add(fmt::format(" {} ", checkpoint.frame))
       .add(checkpoint.state)
-      .add(checkpoint.metrics)
+      .add(metrics)
       .hex();
-}
-
-// Hash, inputs, frame, state and metrics, each list with its length.
-std::string bytes_of(std::string_view inputs, const Checkpoint& checkpoint) {
-  std::string bytes(checkpoint_begins_with);
-  append_bytes(checkpoint_hash(inputs, checkpoint), bytes);
-  append_bytes(std::string(inputs), bytes);
-  append_bytes(checkpoint.frame, bytes);
-  append_bytes(checkpoint.state, bytes);
-  append_bytes(checkpoint.metrics, bytes);
-  return bytes;
 }
 
 }  // namespace
 
 void write_checkpoint(const std::filesystem::path& file, std::string_view inputs,
-                      const Checkpoint& checkpoint) {
-  write_file(file, bytes_of(inputs, checkpoint));
+                      const Checkpoint& checkpoint, std::string_view metrics) {
+  // Hash, inputs, frame, state and metrics, each list with its length; the state of a large scene not copied.
+  std::string before(checkpoint_begins_with), behind;
+  append_bytes(checkpoint_hash(inputs, checkpoint, metrics), before);
+  append_bytes(inputs, before);
+  append_bytes(checkpoint.frame, before);
+  append_bytes(static_cast<std::uint64_t>(checkpoint.state.size()), before);
+  append_bytes(metrics, behind);
+  PendingFile pending(file);
+  for (const std::string_view part :
+       {std::string_view(before), std::string_view(checkpoint.state), std::string_view(behind)})
+    pending.write(std::as_bytes(std::span(part)));
+  pending.commit();
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
   sync_files(std::array{file, folder});
 }
@@ -65,7 +65,7 @@ std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& file, std
   } catch (const BadRequest&) {
     return std::nullopt;
   }
-  if (hash != checkpoint_hash(made_from, checkpoint)) return std::nullopt;
+  if (hash != checkpoint_hash(made_from, checkpoint, checkpoint.metrics)) return std::nullopt;
   if (made_from != inputs)
     throw OutputConflict(
         fmt::format("{} is the checkpoint of a run of another scene, method or settings; "

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <string>
@@ -27,6 +28,15 @@ void append_bytes(const T& value, std::string& bytes) {
     static_assert(lies_in_one_piece<T>);
     bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
   }
+}
+
+/// How many bytes append_bytes() takes for it.
+template <class T>
+std::size_t size_in_bytes(const T& value) {
+  if constexpr (requires { value.data(); } && !std::is_same_v<T, Vec3>)
+    return sizeof(std::uint64_t) + value.size() * sizeof(typename T::value_type);
+  else
+    return sizeof value;
 }
 
 /// Takes values off the front of what append_bytes() made. Throws BadRequest where there are too few bytes.

@@ -65,7 +65,7 @@ class FrameFolder {
   /// What a run that was stopped goes on from; nothing where there is none that fits what is there.
   std::optional<Checkpoint> checkpoint(std::span<const int> frames) const;
   /// Brings all frames before it to the disk, the manifest, and then the checkpoint. Throws RunFailure.
-  void write(const Checkpoint& checkpoint);
+  void write(const Checkpoint& checkpoint, std::string_view metrics = {});
   /// Takes the checkpoint away, where there is one.
   void remove_checkpoint() const;
 

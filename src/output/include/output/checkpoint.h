@@ -15,13 +15,13 @@ namespace taut {
 struct Checkpoint {
   int frame = 1;
   std::string state;      ///< bytes
-  std::string metrics{};  ///< bytes, of the frames before; empty where they aren't measured
+  std::string metrics{};  ///< bytes, of the frames before, as read; empty where they aren't measured
 };
 
-/// Writes a checkpoint, atomically, and so that it outlives a loss of power; `inputs` is a hash of what the
-/// frames are made from. Throws RunFailure.
+/// Writes a checkpoint, with these metrics, atomically, and so that it outlives a loss of power; `inputs` is a
+/// hash of what the frames are made from. Throws RunFailure.
 void write_checkpoint(const std::filesystem::path& file, std::string_view inputs,
-                      const Checkpoint& checkpoint);
+                      const Checkpoint& checkpoint, std::string_view metrics = {});
 
 /// Reads one; nothing where there is none, where its own hash says that it is damaged, or where it is of
 /// another version. Throws OutputConflict where it was made from other inputs.
