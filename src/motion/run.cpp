@@ -19,9 +19,8 @@ namespace taut {
 namespace {
 
 constexpr std::int64_t steps_between_looks = 16;
-constexpr int parts_for_work = 4;    // of a step that the method chose, between which work is looked at
-constexpr double least_part = 1e-4;  // of a step, that is worth one of its own
-constexpr int most_cuts = 32;        // of a step; what breaks beyond that does so at its end
+constexpr int parts_for_work = 4;  // of a step that the method chose, between which work is looked at
+constexpr int most_cuts = 32;      // of a step; what breaks beyond that does so at its end
 
 const Method& willing(const Method& method, const Model& model, const State& start,
                       const Settings& settings) {

@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
 #include "methods/registry.h"
 #include "model/description.h"
 #include "motion/run.h"
+#include "motion/run_state.h"
 
 namespace taut {
 namespace {

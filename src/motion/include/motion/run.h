@@ -81,6 +81,8 @@ class Run {
   RunState save() const;
 
  private:
+  static constexpr double least_part = 1e-4;  // of a step, that is worth one of its own
+
   double reached() const;
   StepReport step_through_changes(double begin, double end);
   void change(const Change& change);
