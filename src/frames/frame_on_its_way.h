@@ -20,7 +20,7 @@ namespace taut {
 // What stages hand on to each other (frames.cpp).
 
 /// So many frames at most wait before a stage: two, so that none is held up by one that takes longer; but one
-// of large scenes, whose states and shapes take a few hundred bytes a mass each.
+/// of large scenes, whose states and shapes take a few hundred bytes a mass each.
 inline std::size_t most_waiting(std::span<const Scene> scenes) {
   constexpr std::size_t many_masses = 200'000;
   std::size_t masses = 0;

@@ -58,12 +58,7 @@ class Pipeline {
  public:
   Pipeline(std::span<const Scene> scenes, const RenderRequest& request, RenderJob& job, Progress& progress,
            const StopTest& stop)
-      : scenes_(scenes),
-        request_(request),
-        job_(job),
-        progress_(progress),
-        stop_(stop),
-        most_waiting_(most_waiting(scenes)) {}
+      : scenes_(scenes), request_(request), job_(job), progress_(progress), stop_(stop) {}
 
   RenderOutcome run();
 
@@ -102,7 +97,7 @@ class Pipeline {
   MetricsRecorder metrics_;
   CheckpointClock checkpoints_;
   std::weak_ptr<const Checkpoint> last_checkpoint_;
-  std::size_t most_waiting_;  // frames before a stage
+  std::size_t most_waiting_ = most_waiting(scenes_);  // frames before a stage
   BoundedQueue<Posed> posed_{most_waiting_};
   BoundedQueue<Shaped> shaped_{most_waiting_};
   BoundedQueue<DrawnFrame> to_finish_{2};

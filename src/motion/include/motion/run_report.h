@@ -25,9 +25,9 @@ struct RunReport {
   double last_halved_at = 0.0;     ///< s, the start of the last one
   Index halved_at_link = no_link;  ///< where the last of them had failed
 
-  /// Whether so many steps were halved that people should hear of it: more than a few, which take a few more
-  /// with them, and more than one in a thousand.
-  bool worth_telling() const { return halved_steps > 12 && 1000 * halved_steps > steps; }
+  /// Whether so many steps were halved that people should hear of it: more than a few, and more than one in a
+  /// thousand.
+  bool worth_telling() const { return halved_steps > 3 && 1000 * halved_steps > steps; }
 };
 
 /// What a run did beyond the ordinary, as a sentence; empty where that is nothing.
