@@ -18,8 +18,8 @@ struct Checkpoint {
   std::string metrics{};  ///< bytes, of the frames before, as read; empty where they aren't measured
 };
 
-/// Writes a checkpoint, with these metrics, atomically, and so that it outlives a loss of power; `inputs` is a
-/// hash of what the frames are made from. Throws RunFailure.
+/// Writes a checkpoint, with these metrics, atomically, and so that it outlives a loss of power; `inputs` is
+/// a hash of what the frames are made from. Throws RunFailure.
 void write_checkpoint(const std::filesystem::path& file, std::string_view inputs,
                       const Checkpoint& checkpoint, std::string_view metrics = {});
 
