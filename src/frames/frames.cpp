@@ -148,10 +148,10 @@ void Pipeline::simulate(PanelRuns& runs) {
       stopped_ = true;
       return;
     }
-    if (request_.watch) request_.watch(now->front().state);
+    if (request_.watch) request_.watch(*now->front().state);
     Posed posed{frame, panels_hash(*now), std::move(checkpoint), {}, {}};
     for (std::size_t i = 0; i < now->size(); ++i)
-      notes_.see(scenes_[i], request_.picture.drawn_size(), shows_ground(), (*now)[i].state);
+      notes_.see(scenes_[i], request_.picture.drawn_size(), shows_ground(), *(*now)[i].state);
     const bool last = frame == job_.frames.back();
     const bool measured = request_.picture.captions || job_.metrics.make || last;
     for (std::size_t i = 0; i < now->size() && measured; ++i) {
@@ -173,11 +173,12 @@ void Pipeline::shape(PanelPainter& painter) {
       continue;
     }
     std::vector<Pose> states;
-    for (const PanelState& panel : posed->panels) states.push_back({&panel.state, panel.trails.get()});
+    for (const PanelState& panel : posed->panels) states.push_back({panel.state.get(), panel.trails.get()});
     Shaped shaped{
         posed->frame, std::move(posed->hash), std::move(posed->checkpoint), {}, std::move(posed->captions)};
     shaped.shapes = clock_.time(
         Stage::shape, [&] { return painter.shape(states); }, shaped.frame);
+    posed.reset();
     if (!shaped_.push(std::move(shaped))) return;
   }
 }
@@ -187,6 +188,7 @@ void Pipeline::draw(PanelPainter& painter) {
   while (std::optional<Submitted> frame = next_to_draw()) {
     clock_.time(
         Stage::draw, [&] { painter.submit(frame->shapes); }, frame->frame);
+    frame->shapes.clear();  // OpenGL has them now
     submitted.push_back(*std::move(frame));
     // While a frame is fetched the next one is being drawn.
     if (submitted.size() < most_waiting_) continue;
@@ -299,6 +301,7 @@ void Pipeline::run_stages(PanelRuns& runs, PanelPainter& painter) {
 RenderOutcome Pipeline::run() {
   const Stopwatch watch;
   PanelRuns runs = begin_runs();  // first of all: what a method refuses is said before anything is written
+  if (job_.resume) std::string().swap(job_.resume->state);  // as large as the scene
   // So is that there is no way to draw, or no exact shape.
   PanelPainter painter(scenes_, request_.picture);
   foretell();

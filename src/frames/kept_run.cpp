@@ -122,11 +122,11 @@ void KeptRun::keep_checkpoint(int number, const StopTest& stop) {
   }
   if (!clock_.due()) return;
   const Stopwatch watch;
-  std::optional<std::string> state = simulation_->save_before(times_[done_], stop);
-  if (!state) return;
+  const std::optional<SavedSimulation> saved = simulation_->save_before(times_[done_], stop);
+  if (!saved) return;
   if_there_is_room([&] {
     writer_->sync();
-    write_checkpoint(checkpoint_file(), inputs_, {number, *std::move(state)});
+    write_checkpoint(checkpoint_file(), inputs_, {number, to_bytes(*saved)});
   });
   clock_.begun(watch.seconds());
 }

@@ -17,11 +17,20 @@
 
 namespace taut {
 
+namespace {
+
+// A state that is kept elsewhere, at least as long.
+std::shared_ptr<const State> lent(const State& state) {
+  return {std::shared_ptr<const State>(), &state};
+}
+
+}  // namespace
+
 bool move_on(PanelState& panel, const std::function<std::optional<State>()>& next) {
   try {
     std::optional<State> state = next();
     if (!state) return false;
-    panel.state = *std::move(state);
+    panel.state = std::make_shared<const State>(*std::move(state));
   } catch (const std::bad_alloc&) {
     panel.failure = "this machine has not enough memory for that";
   } catch (const std::exception& failure) {
@@ -41,7 +50,7 @@ PanelRuns::PanelRuns(std::span<const Scene> scenes, const Execution& execution) 
       if (scenes.size() == 1) throw;
       throw BadRequest(fmt::format("the panel of {}: {}", panel_title(scene), refusal.what()));
     }
-    panels_.push_back({scene.start, {}, {}});
+    panels_.push_back({lent(scene.start), {}, {}});
   }
 }
 
@@ -49,65 +58,60 @@ PanelRuns::PanelRuns(std::span<const Scene> scenes, std::string_view saved, cons
   ByteReader reader(saved);
   simulations_.reserve(scenes.size());
   for (const Scene& scene : scenes) {
-    std::string run, failure, state;
-    reader.take(run);
-    reader.take(failure);
-    reader.take(state);
+    const std::string_view run = reader.take_in_place(), failure = reader.take_in_place(),
+                           shown = reader.take_in_place();
     simulations_.emplace_back(scene, run, execution);
-    panels_.push_back({run_state_from(state, scene.model).state, failure, {}});
-    panels_.back().trails = simulations_.back().trails(panels_.back().state);
+    panels_.push_back({lent(scene.start), std::string(failure), {}});
+    PanelState& panel = panels_.back();
+    if (!shown.empty()) panel.state = std::make_shared<const State>(run_state_from(shown, scene.model).state);
+    panel.trails = simulations_.back().trails(*panel.state);
   }
   if (!reader.at_end()) throw BadRequest("these are the saved runs of other panels");
 }
 
 PanelRuns::PanelRuns(const Scene& scene, const MotionReader& motion) : player_(std::in_place, scene, motion) {
-  panels_.push_back({scene.start, {}, {}});
+  panels_.push_back({lent(scene.start), {}, {}});
 }
 
 std::optional<std::string> PanelRuns::save_before(double time, const StopTest& stop) {
   if (player_) return std::nullopt;
+  const bool alone = simulations_.size() == 1;
   std::string bytes;
   for (std::size_t i = 0; i < simulations_.size(); ++i) {
     const bool failed = !panels_[i].failure.empty();
-    const std::optional<std::string> run =
+    const std::optional<SavedSimulation> saved =
         failed ? simulations_[i].save_end() : simulations_[i].save_before(time, stop);
-    if (!run) return std::nullopt;
-    // Lent, for those of large scenes are not to be copied.
-    RunState shown{std::move(panels_[i].state), {}, {}};
-    const std::string state = to_bytes(shown);
-    panels_[i].state = std::move(shown.state);
-    bytes.reserve(bytes.size() + size_in_bytes(*run) + size_in_bytes(panels_[i].failure) +
-                  size_in_bytes(state));
-    append_bytes(*run, bytes);
+    if (!saved) return std::nullopt;
+    append_saved(*saved, bytes);
     append_bytes(panels_[i].failure, bytes);
-    append_bytes(state, bytes);
+    append_bytes(alone ? std::string() : to_bytes(RunState{*panels_[i].state, {}, {}}), bytes);
   }
   return bytes;
 }
 
 std::optional<std::vector<PanelState>> PanelRuns::at(double time, const StopTest& stop) {
   if (player_) {
-    panels_.front().state = player_->at(time);
-    panels_.front().trails = player_->trails(panels_.front().state);
+    panels_.front().state = std::make_shared<const State>(player_->at(time));
+    panels_.front().trails = player_->trails(*panels_.front().state);
     return panels_;
   }
   if (panels_.size() == 1) {
     std::optional<State> state = simulations_.front().at(time, stop);
     if (!state) return std::nullopt;
-    panels_.front().state = *std::move(state);
-    panels_.front().trails = simulations_.front().trails(panels_.front().state);
+    panels_.front().state = std::make_shared<const State>(*std::move(state));
+    panels_.front().trails = simulations_.front().trails(*panels_.front().state);
     return panels_;
   }
   for (std::size_t i = 0; i < panels_.size(); ++i) {
     if (!panels_[i].failure.empty()) continue;
     if (!move_on(panels_[i], [&] { return simulations_[i].at(time, stop); })) return std::nullopt;
-    panels_[i].trails = simulations_[i].trails(panels_[i].state);
+    panels_[i].trails = simulations_[i].trails(*panels_[i].state);
   }
   return panels_;
 }
 
 RunMeasures PanelRuns::measures(std::size_t which) const {
-  return player_ ? player_->measures() : simulations_[which].measures(panels_[which].state);
+  return player_ ? player_->measures() : simulations_[which].measures(*panels_[which].state);
 }
 
 std::string time_text(const Scene& scene, double time) {
@@ -155,9 +159,9 @@ Caption panel_caption(const Scene& scene, const RunMeasures& measures, double ti
 }
 
 std::string panels_hash(const std::vector<PanelState>& panels) {
-  if (panels.size() == 1) return fmt::format("{:016x}", state_hash(panels.front().state));
+  if (panels.size() == 1) return fmt::format("{:016x}", state_hash(*panels.front().state));
   Hash hash;
-  for (const PanelState& panel : panels) hash.add(fmt::format("{:016x}", state_hash(panel.state)));
+  for (const PanelState& panel : panels) hash.add(fmt::format("{:016x}", state_hash(*panel.state)));
   return hash.hex();
 }
 

@@ -17,7 +17,7 @@ namespace taut {
 
 /// What the run behind one panel has come to at a moment.
 struct PanelState {
-  State state;
+  std::shared_ptr<const State> state;  ///< never null; shared, for that of a large scene is large
   std::string failure;  ///< why it went no further; the state is then that of the moment before; empty else
   std::shared_ptr<const Trails> trails{};  ///< up to the state; null where the look shows none
 };
@@ -42,7 +42,8 @@ class PanelRuns {
   std::optional<std::vector<PanelState>> at(double time, const StopTest& stop);
 
   /// All that it takes to go on at a time (s) later than the one asked for last, and after it, as bytes;
-  /// nothing where that can't be had there, as within a step.
+  /// nothing where that can't be had there, as within a step. Of several runs what each shows, too, for there
+  /// it stays if it fails.
   std::optional<std::string> save_before(double time, const StopTest& stop);
 
   /// What was measured of one of them up to the time asked for last.

@@ -59,10 +59,10 @@ class MotionRun {
   void keep_checkpoint(Simulation& simulation, int frame, double time, const StopTest& stop) {
     if (!clock_.due()) return;
     const Stopwatch watch;
-    std::optional<std::string> state = simulation.save_before(time, stop);
-    if (!state) return;
+    const std::optional<SavedSimulation> saved = simulation.save_before(time, stop);
+    if (!saved) return;
     writer_.sync();
-    folder_.write(Checkpoint{frame, *std::move(state)});
+    folder_.write(Checkpoint{frame, to_bytes(*saved)});
     clock_.begun(watch.seconds());
   }
 

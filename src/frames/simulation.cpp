@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <utility>
 
 #include "base/bytes.h"
@@ -21,25 +23,38 @@ Run run_of(const Scene& scene, const Execution& execution) {
   }
 }
 
-// What save_before() gave: the run, and the trails.
-std::pair<std::string, std::string> parts_of(std::string_view saved) {
-  std::pair<std::string, std::string> parts;
+// What to_bytes() gave: the run, and the trails.
+std::pair<std::string_view, std::string_view> parts_of(std::string_view saved) {
   ByteReader reader(saved);
-  reader.take(parts.first);
-  reader.take(parts.second);
-  return parts;
+  const std::string_view run = reader.take_in_place();
+  return {run, reader.take_in_place()};
 }
 
-std::string as_bytes(const RunState& run, const TrailRecorder& trails) {
-  const std::string moved = to_bytes(run), kept = trails.save();
-  std::string bytes;
-  bytes.reserve(size_in_bytes(moved) + size_in_bytes(kept));
-  append_bytes(moved, bytes);
-  append_bytes(kept, bytes);
-  return bytes;
+std::size_t size_of_parts(const SavedSimulation& saved) {
+  return sizeof(std::uint64_t) + size_in_bytes(saved.run) + size_in_bytes(saved.trails);
+}
+
+void append_parts(const SavedSimulation& saved, std::string& bytes) {
+  append_run_state(saved.run, bytes);
+  append_bytes(saved.trails, bytes);
 }
 
 }  // namespace
+
+std::string to_bytes(const SavedSimulation& saved) {
+  std::string bytes;
+  bytes.reserve(size_of_parts(saved));
+  append_parts(saved, bytes);
+  return bytes;
+}
+
+void append_saved(const SavedSimulation& saved, std::string& bytes) {
+  constexpr std::size_t what_may_follow = 256;
+  const std::size_t size = size_of_parts(saved);
+  bytes.reserve(bytes.size() + sizeof(std::uint64_t) + size + what_may_follow);
+  append_bytes(static_cast<std::uint64_t>(size), bytes);
+  append_parts(saved, bytes);
+}
 
 Simulation::Simulation(const Scene& scene, const Execution& execution)
     : scene_(scene), run_(run_of(scene, execution)), trails_(scene) {}
@@ -53,14 +68,14 @@ Simulation::Simulation(const Scene& scene, std::string_view saved, const Executi
 }
 
 // The run must not be beyond the next point of a trail either.
-std::optional<std::string> Simulation::save_before(double time, const StopTest& stop) {
-  const std::optional<RunState> run = run_.save_before(std::min(time, trails_.next()), stop);
+std::optional<SavedSimulation> Simulation::save_before(double time, const StopTest& stop) {
+  std::optional<RunState> run = run_.save_before(std::min(time, trails_.next()), stop);
   if (!run) return std::nullopt;
-  return as_bytes(*run, trails_);
+  return SavedSimulation{*std::move(run), trails_.save()};
 }
 
-std::string Simulation::save_end() const {
-  return as_bytes(run_.save(), trails_);
+SavedSimulation Simulation::save_end() const {
+  return {run_.save(), trails_.save()};
 }
 
 std::optional<State> Simulation::at(double time, const StopTest& stop) {

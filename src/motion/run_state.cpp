@@ -1,5 +1,7 @@
 #include "motion/run_state.h"
 
+#include <cstdint>
+
 #include "base/bytes.h"
 #include "base/failure.h"
 
@@ -46,16 +48,29 @@ void for_each_part(Saved& saved, const Pass& pass) {
   pass(saved.parts);
 }
 
-}  // namespace
-
-std::string to_bytes(const RunState& saved) {
-  std::size_t size = begins_with.size();
-  for_each_part(saved, [&size](const auto& part) { size += size_in_bytes(part); });
-  std::string bytes;
-  bytes.reserve(size);
+void append_parts(const RunState& saved, std::string& bytes) {
   bytes += begins_with;
   for_each_part(saved, [&bytes](const auto& part) { append_bytes(part, bytes); });
+}
+
+}  // namespace
+
+std::size_t size_in_bytes(const RunState& saved) {
+  std::size_t size = begins_with.size();
+  for_each_part(saved, [&size](const auto& part) { size += size_in_bytes(part); });
+  return size;
+}
+
+std::string to_bytes(const RunState& saved) {
+  std::string bytes;
+  bytes.reserve(size_in_bytes(saved));
+  append_parts(saved, bytes);
   return bytes;
+}
+
+void append_run_state(const RunState& saved, std::string& bytes) {
+  append_bytes(static_cast<std::uint64_t>(size_in_bytes(saved)), bytes);
+  append_parts(saved, bytes);
 }
 
 RunState run_state_from(std::string_view bytes, const Model& model) {

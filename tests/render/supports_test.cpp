@@ -21,7 +21,7 @@ constexpr double pin_size = 0.02;  // m
 const std::array floor_at_zero{Ground{}};
 
 Supports supports_on_floor(const Built& scene) {
-  return supports(scene.model, scene.start, {Vec3::UnitY(), floor_at_zero, pin_size});
+  return supports(scene.model, scene.start.position, {Vec3::UnitY(), floor_at_zero, pin_size});
 }
 
 // The longest of what stands still.
@@ -113,7 +113,7 @@ TEST(Supports, AnUprightEdgeIsAPoleDownToTheGround) {
   EXPECT_TRUE(made.carried.empty());
 
   // Without a ground it ends below the cloth, somewhere.
-  const Supports floating = supports(scene.model, scene.start, {Vec3::UnitY(), {}, pin_size});
+  const Supports floating = supports(scene.model, scene.start.position, {Vec3::UnitY(), {}, pin_size});
   const SupportPart& short_pole = longest(floating);
   const double end = std::min(short_pole.start.y(), short_pole.end.y());
   EXPECT_LT(end, 1.4);
@@ -238,7 +238,7 @@ TEST(Supports, StandWhereverUpIs) {
   const Built tilted = only(sheet_of(6, 9, {0.0, 0.5, 2.4}, {0.0, 2.0, 2.4}, {0.0, 0.0, -1.0}, {"left"}));
   const std::array floor{Ground{Vec3::Zero(), Vec3::UnitZ(), false}};
   const Supports one = supports_on_floor(upright);
-  const Supports other = supports(tilted.model, tilted.start, {Vec3::UnitZ(), floor, pin_size});
+  const Supports other = supports(tilted.model, tilted.start.position, {Vec3::UnitZ(), floor, pin_size});
   ASSERT_EQ(one.fixed.size(), other.fixed.size());
   for (std::size_t i = 0; i < one.fixed.size(); ++i)
     EXPECT_NEAR(one.fixed[i].start.y(), other.fixed[i].start.z(), 1e-9);
@@ -290,10 +290,10 @@ TEST(Supports, AnEdgeThatIsMovedHasABarThatMovesAlong) {
 TEST(Supports, HiddenPinsHaveNone) {
   const Built scene = only(sheet_of(3, 5, {0.0, 1.0, 0.0}, {1.0, 1.0, 0.0}, {0.0, -0.5, 0.0}, {"top"}));
   const std::vector<bool> none(scene.model.masses.size(), false), all(scene.model.masses.size(), true);
-  EXPECT_TRUE(
-      supports(scene.model, scene.start, {Vec3::UnitY(), floor_at_zero, pin_size, &none}).fixed.empty());
-  EXPECT_FALSE(
-      supports(scene.model, scene.start, {Vec3::UnitY(), floor_at_zero, pin_size, &all}).fixed.empty());
+  EXPECT_TRUE(supports(scene.model, scene.start.position, {Vec3::UnitY(), floor_at_zero, pin_size, &none})
+                  .fixed.empty());
+  EXPECT_FALSE(supports(scene.model, scene.start.position, {Vec3::UnitY(), floor_at_zero, pin_size, &all})
+                   .fixed.empty());
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <new>
 #include <optional>
 #include <string>
@@ -41,20 +42,24 @@ State state_at(double time) {
   return state;
 }
 
+PanelState panel_at(double time) {
+  return {std::make_shared<const State>(state_at(time)), {}};
+}
+
 TEST(MoveOn, TakesTheStateOrStopsWhenTold) {
-  PanelState panel{state_at(1.0), {}};
+  PanelState panel = panel_at(1.0);
   EXPECT_TRUE(move_on(panel, [] { return std::optional(state_at(2.0)); }));
-  EXPECT_EQ(panel.state.time, 2.0);
+  EXPECT_EQ(panel.state->time, 2.0);
   EXPECT_EQ(panel.failure, "");
   EXPECT_FALSE(move_on(panel, [] { return std::optional<State>(); }));
-  EXPECT_EQ(panel.state.time, 2.0);
+  EXPECT_EQ(panel.state->time, 2.0);
 }
 
 TEST(MoveOn, AnyFailureStaysWithItsPanel) {
   const auto failure_of = [](const auto& thrown) {
-    PanelState panel{state_at(1.0), {}};
+    PanelState panel = panel_at(1.0);
     EXPECT_TRUE(move_on(panel, [&]() -> std::optional<State> { throw thrown; }));
-    EXPECT_EQ(panel.state.time, 1.0) << "it stays where it was";
+    EXPECT_EQ(panel.state->time, 1.0) << "it stays where it was";
     return panel.failure;
   };
   EXPECT_EQ(failure_of(RunFailure("a step failed")), "a step failed");
@@ -69,8 +74,8 @@ TEST(PanelRuns, GoInStep) {
   const auto panels = runs.at(0.5, {});
   ASSERT_TRUE(panels);
   ASSERT_EQ(panels->size(), 2U);
-  EXPECT_EQ((*panels)[0].state.time, 0.5);
-  EXPECT_EQ((*panels)[1].state.time, 0.5);
+  EXPECT_EQ((*panels)[0].state->time, 0.5);
+  EXPECT_EQ((*panels)[1].state->time, 0.5);
   EXPECT_EQ(runs.measures(0).time, 0.5);
   EXPECT_FALSE(runs.at(1.0, [] { return true; })) << "told to stop";
 }

@@ -36,7 +36,7 @@ void add_part(Bodies& bodies, const SupportPart& part, const PictureSpace& space
 SceneSupports::SceneSupports(const Model& model, const State& start, const Look& look, const Radii& radii,
                              const Appearance& appearance)
     : model_(&model),
-      start_(start),
+      start_(start.position),
       look_(look),
       pin_radius_(drawn_pin_radius(model, look, radii)),
       seen_(appearance.there) {}

@@ -67,20 +67,20 @@ std::vector<Vec3> all_ways(const std::vector<const SupportedPin*>& pins) {
 }
 
 // Across a ball around all masses that are seen (m): the same however they are turned.
-double extent_of(const State& start, const std::vector<bool>* seen) {
+double extent_of(const Vectors& start, const std::vector<bool>* seen) {
   std::vector<std::size_t> masses;
-  for (std::size_t i = 0; i < start.position.size(); ++i)
+  for (std::size_t i = 0; i < start.size(); ++i)
     if (seen == nullptr || (*seen)[i]) masses.push_back(i);
   Vec3 middle = Vec3::Zero();
-  for (const std::size_t i : masses) middle += start.position.at(i) / static_cast<double>(masses.size());
+  for (const std::size_t i : masses) middle += start.at(i) / static_cast<double>(masses.size());
   double reach = 0.0;
-  for (const std::size_t i : masses) reach = std::max(reach, (start.position.at(i) - middle).norm());
+  for (const std::size_t i : masses) reach = std::max(reach, (start.at(i) - middle).norm());
   return 2.0 * reach;
 }
 
 class SupportMaker {
  public:
-  SupportMaker(const Model& model, const State& start, const SupportSight& sight)
+  SupportMaker(const Model& model, const Vectors& start, const SupportSight& sight)
       : model_(model),
         start_(start),
         sight_(sight),
@@ -104,7 +104,7 @@ class SupportMaker {
     std::vector<double> links(count, 0.0);
     for (std::size_t link = 0; link < model_.links.size(); ++link) {
       const Index a = model_.links.a[link], b = model_.links.b[link];
-      const Vec3 span = start_.position.at(b) - start_.position.at(a);
+      const Vec3 span = start_.at(b) - start_.at(a);
       towards[a] += span;
       towards[b] -= span;
       links[a] += 1.0;
@@ -117,7 +117,7 @@ class SupportMaker {
       if (!model_.masses.pinned(mass) || links[mass] == 0.0) continue;
       if (sight_.seen != nullptr && !(*sight_.seen)[mass]) continue;
       pin_of_mass_[mass] = pins_.size();
-      const Vec3 at = start_.position.at(mass);
+      const Vec3 at = start_.at(mass);
       pins_.push_back({static_cast<Index>(mass), at, {at}, false, towards[mass] / links[mass]});
     }
     for (const DrivenPin& driven : model_.driven_pins) {
@@ -263,8 +263,7 @@ class SupportMaker {
     const std::vector<BodyParts> parts = body_parts(model_);
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const Ragdoll& body = model_.ragdolls[i];
-      const Vec3 sideways =
-          across_up(start_.position.at(parts[i].left.shoulder) - start_.position.at(parts[i].right.shoulder));
+      const Vec3 sideways = across_up(start_.at(parts[i].left.shoulder) - start_.at(parts[i].right.shoulder));
       for (Index mass = body.first_mass; mass < body.first_mass + body.mass_count; ++mass) {
         const std::size_t pin = pin_of_mass_[mass];
         if (pin == none || held_[pin]) continue;
@@ -355,7 +354,7 @@ class SupportMaker {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
   const Model& model_;
-  const State& start_;
+  const Vectors& start_;  // m
   const SupportSight& sight_;
   double extent_, unit_;  // m; thicknesses are in units
   std::vector<SupportedPin> pins_;
@@ -366,7 +365,7 @@ class SupportMaker {
 
 }  // namespace
 
-Supports supports(const Model& model, const State& start, const SupportSight& sight) {
+Supports supports(const Model& model, const Vectors& start, const SupportSight& sight) {
   return SupportMaker(model, start, sight).make();
 }
 

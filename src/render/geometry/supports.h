@@ -52,7 +52,7 @@ struct SupportSight {
 ///   the ground: a peg; other pins at rest: a bracket above each; of a body: a bar to hold on to.
 /// - pins that are moved otherwise: a handle that moves along.
 /// Pins without links, hidden ones, and what nothing is pinned of, have none.
-Supports supports(const Model& model, const State& start, const SupportSight& sight);
+Supports supports(const Model& model, const Vectors& start, const SupportSight& sight);
 
 /// The supports of one scene, worked out when they are first seen.
 class SceneSupports {
@@ -66,7 +66,7 @@ class SceneSupports {
 
  private:
   const Model* model_;
-  State start_;
+  Vectors start_;  // m, where masses are at the start
   Look look_;
   double pin_radius_;       // m
   std::vector<bool> seen_;  // by mass

@@ -57,6 +57,15 @@ class ByteReader {
       take(static_cast<void*>(&value), sizeof value);
     }
   }
+  /// Takes a list of bytes that stay where they are.
+  std::string_view take_in_place() {
+    std::uint64_t count = 0;
+    take(count);
+    if (count > left_.size()) throw too_short();
+    const std::string_view bytes = left_.substr(0, count);
+    left_.remove_prefix(count);
+    return bytes;
+  }
   bool at_end() const { return left_.empty(); }
 
  private:

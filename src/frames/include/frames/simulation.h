@@ -13,12 +13,24 @@
 
 namespace taut {
 
+/// All that it takes to go on with a simulation: its run's state, and its trails as bytes.
+struct SavedSimulation {
+  RunState run;
+  std::string trails;
+};
+
+/// The same as bytes.
+std::string to_bytes(const SavedSimulation& saved);
+/// Appends them to others, with their number before them, and without a second copy of them.
+void append_saved(const SavedSimulation& saved, std::string& bytes);
+
 /// A scene's run, for those who want it whole or an error in words.
 class Simulation {
  public:
   /// Refers to the scene from then on. Throws BadRequest when the scene's method refuses it.
   explicit Simulation(const Scene& scene, const Execution& execution = {});
-  /// Goes on from what save_before() gave for the same scene: every bit is as if it had never been left.
+  /// Goes on from what save_before() gave, as bytes, for the same scene: every bit is as if it had never been
+  /// left.
   /// Throws BadRequest where the bytes are of another scene.
   Simulation(const Scene& scene, std::string_view saved, const Execution& execution = {});
 
@@ -28,12 +40,12 @@ class Simulation {
   /// it fails (failure_advice.h).
   std::optional<State> at(double time, const StopTest& stop = {});
 
-  /// All that it takes to go on at a time (s) later than the one asked for last, and after it, as bytes;
-  /// nothing where the last step went beyond that time, when told to stop, or where the run ends before.
-  std::optional<std::string> save_before(double time, const StopTest& stop = {});
+  /// All that it takes to go on at a time (s) later than the one asked for last, and after it; nothing where
+  /// the last step went beyond that time, when told to stop, or where the run ends before.
+  std::optional<SavedSimulation> save_before(double time, const StopTest& stop = {});
 
   /// The same of a run that has ended.
-  std::string save_end() const;
+  SavedSimulation save_end() const;
 
   /// The trails that the scene's look shows, up to a state that at() gave last; null where it shows none.
   std::shared_ptr<const Trails> trails(const State& state) const { return trails_.up_to(state); }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -25,6 +26,12 @@ struct RunState {
 
 /// The same as bytes, for a file or another process on a machine of the same byte order.
 std::string to_bytes(const RunState& saved);
+
+/// How many bytes that are.
+std::size_t size_in_bytes(const RunState& saved);
+/// Appends them to others, with their number before them, as append_bytes() does with a list: what is as
+/// large as a large scene need not stand in memory twice.
+void append_run_state(const RunState& saved, std::string& bytes);
 
 /// The other way round. Throws BadRequest for bytes that are none of to_bytes(), or not of so many masses,
 /// links and joints as the model has.
