@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "base/failure.h"
 #include "measure/cost.h"
@@ -83,14 +84,16 @@ double mean_rigid_strain(const Model& model, const State& state) {
   return count > 0 ? sum / static_cast<double>(count) : 0.0;
 }
 
-ProbeSample sample_of(const ProbeScene& scene, const State& state) {
+ProbeSample sample_of(const ProbeScene& scene, const Run& run, State state) {
+  // Of speeds only energy knows, and what makes them those of a report can take longer than the run.
+  if (scene.kind == ErrorKind::energy) state = run.reported(state);
   ProbeSample sample;
-  sample.position = state.position;
   const bool place = scene.kind == ErrorKind::trajectory || scene.kind == ErrorKind::sag;
   if (scene.kind != ErrorKind::trajectory) sample.summary = summary_of(scene.model, state);
   if (place)
     sample.length_error =
         mean_rigid_strain(scene.model, state) * scene.reach / scene_size(scene.model, scene.start);
+  sample.position = std::move(state.position);
   return sample;
 }
 
@@ -134,10 +137,10 @@ std::vector<ProbeCandidate> probe_candidates(const Model& model, const State& st
   const auto add = [&](std::string_view name) {
     const Method& method = *find_method(name);
     if (!capability_problems(model, method).empty()) return;
+    if (large_net && only.empty() && method.prices.factor > 0.0) return;
     if (method.can.chooses_steps && only.empty() &&
         !refusals(model, start, complete_settings({std::string(name), {}})).empty())
       return;
-    if (large_net && only.empty() && method.prices.factor > 0.0) return;
     candidates.push_back(candidate(model, method, 1.0, scales, wanted, size));
     if (find_param(method, "passes") != nullptr && impacts)
       candidates.push_back(candidate(model, method, 4.0, scales, wanted, size));
@@ -191,9 +194,9 @@ std::optional<Probe> ProbeLadder::made(const ProbeScene& scene, double most_seco
       return run.steps() >= looked_at + 8 && (looked_at = run.steps(), work() > 1.5 * most_seconds);
     };
     for (const double time : scene.times) {
-      const std::optional<State> state = run.at(scene.start.time + time, enough);
+      std::optional<State> state = run.at(scene.start.time + time, enough);
       if (!state) break;
-      probe.samples.push_back(sample_of(scene, run.reported(*state)));
+      probe.samples.push_back(sample_of(scene, run, *std::move(state)));
     }
     probe.work = last_work_ = work();
     if (run.ended()) return std::nullopt;

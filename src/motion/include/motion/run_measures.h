@@ -9,8 +9,9 @@
 
 namespace taut {
 
-/// The state as reports show it: velocities projected onto what links allow where the method leaves half a
-/// kick in them.
+/// The state as reports show it: where the method leaves half a kick in velocities, projected onto what links
+/// allow. Nets of more than 250,000 links answer the kick with the tensions that the state has instead, which
+/// is as near as these are (Capabilities::tension_order).
 State reported_state(const Model& model, const Capabilities& can, const State& state);
 
 /// What was measured of a run from its start to a later state.
