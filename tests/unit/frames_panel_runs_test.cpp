@@ -80,5 +80,38 @@ TEST(PanelRuns, GoInStep) {
   EXPECT_FALSE(runs.at(1.0, [] { return true; })) << "told to stop";
 }
 
+TEST(PanelRuns, GoOnFromWhatWasSaved) {
+  for (const std::vector<std::string>& methods : {std::vector<std::string>{"rattle"}, {"rattle", "xpbd"}}) {
+    const std::vector<Scene> scenes = pendulums(methods);
+    PanelRuns runs(scenes);
+    ASSERT_TRUE(runs.at(0.25, {}));
+    const std::optional<std::string> saved = runs.save_before(0.5, {});
+    ASSERT_TRUE(saved);
+    PanelRuns resumed(scenes, *saved);
+    EXPECT_EQ(panels_hash(*resumed.at(0.5, {})), panels_hash(*runs.at(0.5, {})));
+    EXPECT_EQ(resumed.measures(0).energy_error, runs.measures(0).energy_error);
+    EXPECT_THROW(PanelRuns(scenes, saved->substr(0, saved->size() - 1)), BadRequest);
+    EXPECT_THROW(PanelRuns(scenes, *saved + "x"), BadRequest) << "more than was saved";
+  }
+}
+
+// Of several, one that fails after the others went on stays where it was seen last: that is saved, too.
+TEST(PanelRuns, OneThatFailsLaterStaysWhereItWasSeen) {
+  const std::vector<Scene> scenes = pendulums({"rattle", "xpbd"});
+  PanelRuns runs(scenes);
+  ASSERT_TRUE(runs.at(0.25, {}));
+  PanelRuns resumed(scenes, *runs.save_before(0.5, {}));
+  int asked = 0;
+  const StopTest failing = [&asked]() -> bool {
+    if (++asked == 1) throw RunFailure("it fails");
+    return false;
+  };
+  const auto panels = resumed.at(0.5, failing);
+  ASSERT_TRUE(panels);
+  EXPECT_EQ((*panels)[0].failure, "it fails");
+  EXPECT_EQ((*panels)[0].state->time, 0.25);
+  EXPECT_EQ((*panels)[1].state->time, 0.5);
+}
+
 }  // namespace
 }  // namespace taut
