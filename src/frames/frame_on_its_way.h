@@ -48,6 +48,16 @@ struct Shaped {
 
 using Finished = std::shared_ptr<const FinishedFrame>;
 
+/// Waits for a frame; null where whoever was to draw it failed, and says so itself. Throws what went wrong
+/// later.
+inline Finished unless_lost(const std::shared_future<Finished>& frame) {
+  try {
+    return frame.get();
+  } catch (const std::future_error&) {
+    return nullptr;
+  }
+}
+
 /// A sink, and the frames on their way to it: in order, and not all of them done.
 struct Lane {
   explicit Lane(FrameSink& where) : sink(where) {}

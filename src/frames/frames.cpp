@@ -42,16 +42,6 @@ namespace {
 // How Mesa names the threads that fill pixels.
 constexpr std::string_view rasteriser_threads = "llvmpipe-";
 
-// Waits for a frame; null where whoever was to draw it failed, and says so itself. Throws what went wrong
-// later.
-Finished unless_lost(const std::shared_future<Finished>& frame) {
-  try {
-    return frame.get();
-  } catch (const std::future_error&) {
-    return nullptr;
-  }
-}
-
 // One run from scene to frames. Each stage hands on to the next through a queue; whoever ends closes the
 // queue it hands to, and whoever fails makes all others stop.
 class Pipeline {
@@ -71,7 +61,7 @@ class Pipeline {
   void fetch(Submitted frame, PanelPainter& painter);
   void finish_frames(const PanelPainter& painter);
   void serve(Lane& lane);
-  PanelRuns begin_runs() const;
+  PanelRuns begin_runs();
   void foretell() const;
   std::shared_ptr<const Checkpoint> checkpoint(PanelRuns& runs, int frame, double time);
   void finish(std::optional<Film>& film);
@@ -110,9 +100,12 @@ class Pipeline {
   RenderOutcome outcome_;
 };
 
-PanelRuns Pipeline::begin_runs() const {
+PanelRuns Pipeline::begin_runs() {
   if (request_.motion) return {scenes_.front(), *request_.motion};
-  if (job_.resume) return {scenes_, job_.resume->state, request_.execution};
+  if (job_.resume) {
+    const std::string state = std::move(job_.resume->state);  // as large as the scene, and not needed again
+    return {scenes_, state, request_.execution};
+  }
   return PanelRuns(scenes_, request_.execution);
 }
 
@@ -301,7 +294,6 @@ void Pipeline::run_stages(PanelRuns& runs, PanelPainter& painter) {
 RenderOutcome Pipeline::run() {
   const Stopwatch watch;
   PanelRuns runs = begin_runs();  // first of all: what a method refuses is said before anything is written
-  if (job_.resume) std::string().swap(job_.resume->state);  // as large as the scene
   // So is that there is no way to draw, or no exact shape.
   PanelPainter painter(scenes_, request_.picture);
   foretell();

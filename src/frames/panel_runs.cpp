@@ -16,7 +16,6 @@
 #include "methods/registry.h"
 
 namespace taut {
-
 namespace {
 
 // A state that is kept elsewhere, at least as long.
@@ -63,7 +62,8 @@ PanelRuns::PanelRuns(std::span<const Scene> scenes, std::string_view saved, cons
     simulations_.emplace_back(scene, run, execution);
     panels_.push_back({lent(scene.start), std::string(failure), {}});
     PanelState& panel = panels_.back();
-    if (!shown.empty()) panel.state = std::make_shared<const State>(run_state_from(shown, scene.model).state);
+    if (shown.empty()) continue;
+    panel.state = std::make_shared<const State>(run_state_from(shown, scene.model).state);
     panel.trails = simulations_.back().trails(*panel.state);
   }
   if (!reader.at_end()) throw BadRequest("these are the saved runs of other panels");
@@ -84,7 +84,10 @@ std::optional<std::string> PanelRuns::save_before(double time, const StopTest& s
     if (!saved) return std::nullopt;
     append_saved(*saved, bytes);
     append_bytes(panels_[i].failure, bytes);
-    append_bytes(alone ? std::string() : to_bytes(RunState{*panels_[i].state, {}, {}}), bytes);
+    if (alone)
+      append_bytes(std::string(), bytes);
+    else
+      append_run_state({*panels_[i].state, {}, {}}, bytes);
   }
   return bytes;
 }

@@ -9,11 +9,10 @@
 #include "model/tangles.h"
 
 namespace taut {
-
 namespace {
 
-// What it takes to solve a net at once grows faster than its links: for a million masses it is 3 GB.
-constexpr std::size_t most_links_of_net = 250'000;
+// What it takes to solve a net at once grows faster than its links: for a million masses it is gigabytes.
+constexpr std::size_t most_links_projected = 250'000;
 
 }  // namespace
 
@@ -21,7 +20,7 @@ State reported_state(const Model& model, const Capabilities& can, const State& s
   State reported = state;
   if (!can.half_kicked) return reported;
   const std::size_t links = model.links.size();
-  if (links > most_links_of_net && links > model.masses.size())
+  if (links > most_links_projected && links > model.masses.size())
     answer_kick(model, state, reported.velocity);
   else
     reported.velocity = projected_velocities(model, state);

@@ -100,8 +100,8 @@ std::vector<RodRecord> link_records(const Drawn& drawn) {
   std::vector<RodRecord> records;
   if (drawn.look.link_shape != LinkShape::rod) return records;
   const Links& links = drawn.model.links;
+  records.reserve(links.size());
   const std::vector<bool> whole = links_to_draw(drawn.appearance, drawn.state);
-  records.reserve(static_cast<std::size_t>(std::ranges::count(whole, true)));
   for (std::size_t link = 0; link < links.size(); ++link)
     if (whole[link])
       records.push_back({to_glm(drawn.state.position.at(links.a[link])), static_cast<float>(drawn.radii.link),

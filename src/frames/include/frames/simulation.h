@@ -30,8 +30,7 @@ class Simulation {
   /// Refers to the scene from then on. Throws BadRequest when the scene's method refuses it.
   explicit Simulation(const Scene& scene, const Execution& execution = {});
   /// Goes on from what save_before() gave, as bytes, for the same scene: every bit is as if it had never been
-  /// left.
-  /// Throws BadRequest where the bytes are of another scene.
+  /// left. Throws BadRequest where the bytes are of another scene.
   Simulation(const Scene& scene, std::string_view saved, const Execution& execution = {});
 
   /// The state at a time (s), which must not be earlier than the one asked for before: between two steps
