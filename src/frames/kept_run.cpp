@@ -25,7 +25,7 @@ constexpr std::size_t most_masses_kept = 5'000'000;
 // A hash of all that decides the moments.
 std::string inputs_of_moments(const Scene& scene, const std::vector<double>& times) {
   Hash hash;
-  hash.add(motion_manifest(scene, FrameRate{}, {}).inputs).add("\n");
+  hash.add(motion_inputs(scene, FrameRate{})).add("\n");
   for (const double time : times) hash.add(fmt::format("{}\n", time));
   return hash.hex();
 }

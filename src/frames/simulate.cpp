@@ -163,7 +163,7 @@ Scene scene_of_motion(const StoredMotion& motion, const std::string& folder,
 
 void require_same_motion(const Scene& scene, const StoredMotion& motion) {
   const FrameRate rate = frame_rate_from(motion.manifest.frame_rate).value_or(FrameRate{});
-  if (motion_manifest(scene, rate, {}).inputs == motion.reader->inputs()) return;
+  if (motion_inputs(scene, rate) == motion.reader->inputs()) return;
   throw BadRequest(
       fmt::format("the motion is of {} by {} with other physics, settings, duration or look.speed{}; only "
                   "camera and look can be changed when it is drawn",

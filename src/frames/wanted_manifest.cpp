@@ -51,19 +51,23 @@ Manifest frames_manifest(std::span<const Scene> scenes, const RenderRequest& req
   return manifest;
 }
 
-Manifest motion_manifest(const Scene& scene, const FrameRate& rate, const std::string& plan) {
-  Manifest manifest = common_manifest({&scene, 1}, rate, plan);
-  manifest.kind = "motion";
-  manifest.size = {0, 0};
+std::string motion_inputs(const Scene& scene, const FrameRate& rate) {
   Scene seen_alike = scene;
   seen_alike.camera = {};
   seen_alike.look = {};
   seen_alike.look.speed = scene.look.speed;
   seen_alike.expectation = {};
   Hash hash;
-  for (const std::string& part : {resolved_toml(seen_alike), manifest.physics, manifest.frame_rate})
+  for (const std::string& part : {resolved_toml(seen_alike), physics_version(), rate.text()})
     hash.add(part).add("\n");
-  manifest.inputs = hash.hex();
+  return hash.hex();
+}
+
+Manifest motion_manifest(const Scene& scene, const FrameRate& rate, const std::string& plan) {
+  Manifest manifest = common_manifest({&scene, 1}, rate, plan);
+  manifest.kind = "motion";
+  manifest.size = {0, 0};
+  manifest.inputs = motion_inputs(scene, rate);
   return manifest;
 }
 

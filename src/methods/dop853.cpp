@@ -14,6 +14,7 @@
 #include <limits>
 
 #include "base/vector_operations.h"
+#include "direct/solve_memory.h"
 #include "high_order/stepper.h"
 #include "methods/method.h"
 
@@ -73,7 +74,8 @@ Method dop853_method() {
           can,
           {0.0, 10.0, 75.0, 1.8, 1500.0},
           make_dop853,
-          dop853_refusal};
+          dop853_refusal,
+          bytes_of_links_factor};
 }
 
 }  // namespace taut

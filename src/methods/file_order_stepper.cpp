@@ -1,14 +1,18 @@
 #include "file_order_stepper.h"
 
 #include <cmath>
+#include <utility>
 
 namespace taut {
 
 void FileOrderStepper::load(const State& state) {
-  const bool changed = !loaded_ || state.broken_at != state_.broken_at;
+  if (state.broken_at != state_.broken_at) links_changed_ = true;
   state_ = state;
-  loaded_ = true;
-  if (changed) links_changed(state_);
+}
+
+StepReport FileOrderStepper::step(double h, double end_time) {
+  if (std::exchange(links_changed_, false)) links_changed(state_);
+  return make_step(state_, h, end_time);
 }
 
 void SwappingStepper::copy_to_work(const State& state) {

@@ -10,7 +10,7 @@ namespace taut {
 class FileOrderStepper : public Stepper {
  public:
   void load(const State& state) final;
-  StepReport step(double h, double end_time) final { return make_step(state_, h, end_time); }
+  StepReport step(double h, double end_time) final;
   const State& store() final { return state_; }
   void undo() override {}
 
@@ -20,10 +20,11 @@ class FileOrderStepper : public Stepper {
  private:
   /// Moves the state on, or leaves it as it was where that fails.
   virtual StepReport make_step(State& state, double h, double end_time) = 0;
-  /// Called before the first step and whenever other links are whole than before.
+  /// Called before the first step, and before the next one whenever other links are whole than before: what
+  /// is only looked at, and makes no step, has no system worked out for it.
   virtual void links_changed(const State& state) = 0;
 
-  bool loaded_ = false;
+  bool links_changed_ = true;
 };
 
 /// One that works a step out beside the state, and then changes the two about: so it can take a step back.

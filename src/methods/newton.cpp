@@ -18,6 +18,7 @@
 #include "direct/fast_projection.h"
 #include "direct/implicit_net.h"
 #include "direct/link_topology.h"
+#include "direct/solve_memory.h"
 #include "file_order_stepper.h"
 #include "forces/forces.h"
 #include "methods/method.h"
@@ -84,6 +85,11 @@ std::string newton_refusal(const Model& model, const State&, const Settings&) {
          "only pull or only push: use xpbd for this scene, or leave one of the two out";
 }
 
+double newton_memory(const Model& model) {
+  constexpr double bytes_with_bends = 450.0;
+  return model.bends.empty() ? bytes_of_links_factor(model) : bytes_of_masses_factor(model, bytes_with_bends);
+}
+
 }  // namespace
 
 Method newton_method() {
@@ -106,7 +112,8 @@ Method newton_method() {
           can,
           {8.0, 8.5, 30.0, 4.0},
           make_newton,
-          newton_refusal};
+          newton_refusal,
+          newton_memory};
 }
 
 }  // namespace taut

@@ -40,6 +40,7 @@
 #include "direct/anderson_mixing.h"
 #include "direct/link_system.h"
 #include "direct/newton_rounds.h"
+#include "direct/solve_memory.h"
 #include "file_order_stepper.h"
 #include "forces/forces.h"
 #include "forces/free_acceleration.h"
@@ -331,7 +332,8 @@ Method rattle_method() {
           can,
           {3.0, 10.0, 24.0, 2.8},
           make_rattle,
-          rattle_refusal};
+          rattle_refusal,
+          bytes_of_links_factor};
 }
 
 }  // namespace taut

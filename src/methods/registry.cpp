@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/failure.h"
+#include "base/memory.h"
 #include "base/nearest.h"
 
 namespace taut {
@@ -77,6 +78,17 @@ std::string methods_that(Can can) {
   for (const Method& method : all_methods())
     if (can(method.can)) names.push_back(method.name);
   return fmt::format("{}", fmt::join(names, ", "));
+}
+
+// What a machine can't hold of what a method solves all together.
+std::string memory_problem(const Model& model, const Method& method) {
+  constexpr double always_there = 1e8;  // bytes
+  const double bytes = method.memory == nullptr ? 0.0 : method.memory(model);
+  if (bytes < always_there || bytes < 0.8 * usable_memory()) return {};
+  return fmt::format(
+      "method \"{}\" solves all links together, which takes about {} of memory for so large a net; this "
+      "machine has {}; use xpbd",
+      method.name, format_bytes(bytes), format_bytes(usable_memory()));
 }
 
 }  // namespace
@@ -156,6 +168,8 @@ std::vector<std::string> refusals(const Model& model, const State& start, const 
 std::vector<std::string> refusals(const Method& method, const Model& model, const State& start,
                                   const Settings& settings) {
   std::vector<std::string> problems = capability_problems(model, method);
+  if (std::string problem = memory_problem(model, method); !problem.empty())
+    problems.push_back(std::move(problem));
   if (problems.empty() && method.refusal != nullptr)
     if (std::string problem = method.refusal(model, start, settings); !problem.empty())
       problems.push_back(std::move(problem));

@@ -16,6 +16,7 @@
 #include <cmath>
 
 #include "direct/newton_rounds.h"
+#include "direct/solve_memory.h"
 #include "file_order_stepper.h"
 #include "forces/forces.h"
 #include "forces/springs.h"
@@ -179,6 +180,11 @@ std::unique_ptr<Stepper> make_spring_implicit(const Model& model, const Settings
   return std::make_unique<SpringImplicitStepper>(model);
 }
 
+double spring_implicit_memory(const Model& model) {
+  constexpr double bytes_of_link = 150.0;
+  return bytes_of_masses_factor(model, bytes_of_link);
+}
+
 }  // namespace
 
 Method spring_implicit_method() {
@@ -198,7 +204,9 @@ Method spring_implicit_method() {
           spring_implicit_params,
           can,
           {15.0, 330.0, 0.0, 40.0},
-          make_spring_implicit};
+          make_spring_implicit,
+          nullptr,
+          spring_implicit_memory};
 }
 
 }  // namespace taut

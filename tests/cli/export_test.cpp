@@ -84,6 +84,20 @@ TEST_F(ExportTest, EverySecondFrameKeepsItsNumber) {
   EXPECT_EQ(rows[8][0], "10");
 }
 
+// A thirtieth of a second is the frame of films that ask for no other; what is exported to a file is no film.
+TEST_F(ExportTest, ASceneMayBeShorterThanAThirtiethOfASecond) {
+  const std::string file = (folder_.path() / "moments.csv").string();
+  const auto exported = [&](const std::string& duration, const std::vector<std::string>& instants) {
+    std::vector<std::string> words{"export", scene_, "--set", "world.duration=" + duration, "-o", file};
+    words.insert(words.end(), instants.begin(), instants.end());
+    const Ran ran = taut(words);
+    EXPECT_EQ(ran.status, 0) << duration << ": " << ran.err;
+    return rows_of(read_file(file)).size();
+  };
+  EXPECT_EQ(exported("0.004", {"--fps", "1000"}), 1U + 2U * 4U);
+  EXPECT_EQ(exported("0.01", {"--times", "0,0.01"}), 1U + 2U * 2U);
+}
+
 TEST_F(ExportTest, LinksHaveStrainTensionAndBreak) {
   const auto rows = rows_of(taut({"export", scene_, "--times", "0.3,0.9", "--table", "links"}).out);
   ASSERT_EQ(rows.size(), 3U);

@@ -65,6 +65,36 @@ TEST_F(Scarcity, OfAddressesIsSaid) {
   EXPECT_EQ(half_made(), 0U);
 }
 
+// What solves all links of a net together fills in many times what the net itself takes.
+TEST_F(Scarcity, OfMemoryForAFactorIsSaidBeforeTheRun) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "sanitizers take more addresses than there are to be";
+#endif
+  folder_.write("net.toml", R"(
+[world]
+duration = 0.01
+[[sheet]]
+name = "net"
+rows = 256
+columns = 256
+from = [0, 2, 0]
+to = [2, 2, 0]
+down = [0, -2, 0]
+pinned = ["top"]
+diagonals = true
+)");
+  const auto run_by = [&](const std::string& method) {
+    return shell("ulimit -v 700000; exec TAUT export net.toml --times 0.01 -o table.npz --method " + method);
+  };
+  for (const char* method : {"newton", "rattle", "dop853"}) {
+    const Ran ran = run_by(method);
+    EXPECT_EQ(ran.status, 2) << method << ran.err;
+    EXPECT_NE(ran.err.find("solves all links together"), std::string::npos) << method << ran.err;
+    EXPECT_FALSE(fs::exists(folder_ / "table.npz")) << method;
+  }
+  EXPECT_EQ(run_by("xpbd").status, 0);
+}
+
 TEST_F(Scarcity, OfHandlesIsSaid) {
   std::size_t failed = 0;
   for (int handles = 12; handles <= 30; handles += 3)

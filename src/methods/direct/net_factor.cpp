@@ -127,6 +127,16 @@ constexpr std::array subtracts{subtracts_of<1>, subtracts_of<2>, subtracts_of<3>
 }  // namespace
 
 NetFactor::NetFactor(const SparseMatrix& pattern) {
+  take_pattern(pattern);
+  value_.resize(row_.size());
+  pivot_.resize(begin_.size() - 1);
+  local_.resize(pivot_.size());
+  find_panels();
+  for (auto* list : {&first_, &next_, &reached_}) list->resize(panels_.size());
+}
+
+// That of L, from Eigen's own L, which is let go before there is room for another one's values.
+void NetFactor::take_pattern(const SparseMatrix& pattern) {
   // Of any matrix of the pattern whose pivots can't vanish.
   SparseMatrix dominant = pattern;
   std::fill(dominant.valuePtr(), dominant.valuePtr() + dominant.nonZeros(), 0.5);
@@ -134,14 +144,8 @@ NetFactor::NetFactor(const SparseMatrix& pattern) {
     dominant.coeffRef(i, i) = static_cast<double>(dominant.cols());
   const Eigen::SimplicialLDLT<SparseMatrix, Eigen::Upper, Eigen::NaturalOrdering<int>> solver(dominant);
   const SparseMatrix& lower = solver.matrixL().nestedExpression();
-  const auto size = static_cast<std::size_t>(lower.cols());
-  begin_.assign(lower.outerIndexPtr(), lower.outerIndexPtr() + size + 1);
+  begin_.assign(lower.outerIndexPtr(), lower.outerIndexPtr() + lower.cols() + 1);
   row_.assign(lower.innerIndexPtr(), lower.innerIndexPtr() + begin_.back());
-  value_.resize(row_.size());
-  pivot_.resize(size);
-  local_.resize(size);
-  find_panels();
-  for (auto* list : {&first_, &next_, &reached_}) list->resize(panels_.size());
 }
 
 void NetFactor::find_panels() {

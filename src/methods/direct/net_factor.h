@@ -32,6 +32,7 @@ class NetFactor {
   };
 
  private:
+  void take_pattern(const Eigen::SparseMatrix<double>& pattern);
   void find_panels();
   void update(const Panel& by, std::size_t from, std::size_t columns, const Panel& panel);
   double* column_of(const Panel& panel, std::size_t column);

@@ -59,14 +59,14 @@ HighOrderStepper::HighOrderStepper(const Model& model, double tolerance, std::sh
 
 void HighOrderStepper::load(const State& state) {
   keep_end();
-  if (!equations_ || state.broken_at != state_.broken_at)
-    equations_ = std::make_shared<Equations>(model_, state, workers_);
+  if (state.broken_at != state_.broken_at) equations_.reset();
   state_ = state;
   begun_ = false;
 }
 
 // Brings a state that comes from elsewhere to where it belongs: on its links and stops.
 bool HighOrderStepper::begin(StepReport& report) {
+  if (!equations_) equations_ = std::make_shared<Equations>(model_, state_, workers_);
   equations_->hold(state_.own_steps.held);
   if (!state_.own_steps.settled) {
     place_pins(model_, state_.time, state_.position, state_.velocity);
@@ -314,7 +314,7 @@ State HighOrderStepper::between(double time) {
     state.velocity = between_.velocity;
     equations.write_tensions(state.tension);
   }
-  equations_->hold(state_.own_steps.held);
+  if (equations_) equations_->hold(state_.own_steps.held);
   return state;
 }
 

@@ -74,7 +74,7 @@ class HighOrderStepper final : public Stepper {
   std::shared_ptr<Workers> workers_;
   std::vector<double> kinks_;  // s, rising: where a force or a driven pin's path is not smooth
   State state_;
-  std::shared_ptr<Equations> equations_;  // of what is whole in it
+  std::shared_ptr<Equations> equations_;  // of what is whole in it; made when the first step is
   EventWatch watch_;
   RungeKuttaStep runge_kutta_;
   bool begun_ = false;

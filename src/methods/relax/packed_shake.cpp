@@ -29,22 +29,14 @@ class PackedShake final : public Stepper {
       : model_(model), passes_(passes), links_(model, execution) {}
 
   void load(const State& state) override {
-    const bool changed = !loaded_ || state.broken_at != state_.broken_at;
+    if (state.broken_at != state_.broken_at) links_changed_ = true;
     state_ = state;
-    loaded_ = true;
-    if (changed) {
-      links_.links_changed(state_);
-      previous_ = present_ = next_ = probed_ = links_.room();
-    }
-    links_.load(state_.velocity, previous_);
-    links_.load(state_.position, present_);
-    links_.load(state_.position, next_);
     at_ = {};
-    behind_ = tensions_behind_ = false;
-    pins_finite_ = still_pins_are_finite(model_, state_);
+    packed_ = behind_ = tensions_behind_ = false;
   }
 
   StepReport step(double h, double end_time) override {
+    if (!packed_) pack();
     const bool as_last = state_.unanswered_kick == 0.5 * h;
     const bool lasting = as_last && at_.lasting >= steps_to_last;
     if (!lasting) {
@@ -154,6 +146,19 @@ class PackedShake final : public Stepper {
     double time = 0.0, unanswered_kick = 0.0;  // s
     bool tensions = false;                     // whether they were kept: else multipliers tell them
   };
+  // The state as it was loaded: not before there is a step to make, for some are only looked at.
+  void pack() {
+    if (std::exchange(links_changed_, false)) {
+      links_.links_changed(state_);
+      previous_ = present_ = next_ = probed_ = links_.room();
+    }
+    links_.load(state_.velocity, previous_);
+    links_.load(state_.position, present_);
+    links_.load(state_.position, next_);
+    packed_ = true;
+    pins_finite_ = still_pins_are_finite(model_, state_);
+  }
+
   FieldKick end_kick() const { return field_kick(model_, 0.5 * at_.h, DragAt::end); }
   static Packed<double> packed_gain(const Vec3& gain) { return {gain.x(), gain.y(), gain.z(), 0.0}; }
   static Vec3 at(const Masses& masses, std::size_t place) {
@@ -228,7 +233,7 @@ class PackedShake final : public Stepper {
   AlongRelaxation links_;
   State state_;  // of pins always, of all else where it isn't behind
   Watched watched_;
-  bool loaded_ = false;
+  bool links_changed_ = true, packed_ = false;
   bool pins_finite_ = true;  // those that nothing drives
   bool behind_ = false, tensions_behind_ = false;
   Going at_;

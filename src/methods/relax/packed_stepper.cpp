@@ -27,22 +27,13 @@ class PackedStepper final : public Stepper {
       : model_(model), passes_(passes), kicks_(kicks), links_(model, execution) {}
 
   void load(const State& state) override {
-    const bool changed = !loaded_ || state.broken_at != state_.broken_at;
+    if (state.broken_at != state_.broken_at) links_changed_ = true;
     state_ = state;
-    loaded_ = true;
-    if (changed) {
-      links_.links_changed(state_);
-      previous_ = present_ = next_ = links_.room();
-    }
-    links_.load(state_.velocity, previous_);
-    links_.load(state_.position, present_);
-    links_.load(state_.position, next_);
-    velocities_ = true;
-    behind_ = false;
-    pins_finite_ = still_pins_are_finite(model_, state_);
+    packed_ = behind_ = false;
   }
 
   StepReport step(double h, double end_time) override {
+    if (!packed_) pack();
     const bool whole = kicks_ == Kicks::whole;
     FreeMotion<Real> motion{previous_.data(), present_.data(), velocities_, {}, Real(1), {}, {}, {}, {}};
     motion.inverse_h = static_cast<Real>(1.0 / last_h_);
@@ -114,6 +105,19 @@ class PackedStepper final : public Stepper {
   }
 
  private:
+  // The state as it was loaded: not before there is a step to make, for some are only looked at.
+  void pack() {
+    if (std::exchange(links_changed_, false)) {
+      links_.links_changed(state_);
+      previous_ = present_ = next_ = links_.room();
+    }
+    links_.load(state_.velocity, previous_);
+    links_.load(state_.position, present_);
+    links_.load(state_.position, next_);
+    packed_ = velocities_ = true;
+    pins_finite_ = still_pins_are_finite(model_, state_);
+  }
+
   void set_kick(double seconds, Real& keep, Packed<Real>& gain) const {
     const FieldKick fields = field_kick(model_, seconds, DragAt::end);
     keep = static_cast<Real>(fields.keep);
@@ -130,7 +134,7 @@ class PackedStepper final : public Stepper {
   Relaxation<Real> links_;
   State state_;  // of pins always, of all else where it isn't behind
   Watched watched_;
-  bool loaded_ = false, behind_ = false;
+  bool links_changed_ = true, packed_ = false, behind_ = false;
   bool pins_finite_ = true;  // those that nothing drives
   KeptPins pins_before_;
   typename Relaxation<Real>::Masses previous_, present_,

@@ -11,6 +11,7 @@ CameraFit::CameraFit(const Eigen::Matrix3d& axes, double field_of_view, double a
     : axes_(axes) {
   const double slope = (1.0 - 2.0 * margin) * std::tan(0.5 * field_of_view * std::numbers::pi / 180.0);
   slope_ = {slope * aspect, slope};
+  reach_ = {std::hypot(1.0, slope_[0]), std::hypot(1.0, slope_[1])};
   if (centre) centre_ = axes.transpose() * *centre;
 }
 
@@ -21,7 +22,7 @@ void CameraFit::add(const Vec3& place, double radius) {
   const Vec3 at = axes_.transpose() * place;
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const double across = at[static_cast<Eigen::Index>(axis)];
-    const double depth = slope_[axis] * at.z() + radius * std::hypot(1.0, slope_[axis]);
+    const double depth = slope_[axis] * at.z() + radius * reach_[axis];
     plus_[axis] = std::max(plus_[axis], across + depth);
     minus_[axis] = std::max(minus_[axis], depth - across);
   }

@@ -208,6 +208,9 @@ struct Method {
   /// What, beside the capabilities, the method refuses to do: a sentence, or nothing. Absent: it never
   /// refuses.
   std::string (*refusal)(const Model&, const State& start, const Settings&) = nullptr;
+  /// About how much memory (bytes) a step takes beside model and states, of a method that solves all links
+  /// together. Absent: next to none.
+  double (*memory)(const Model&) = nullptr;
 };
 
 }  // namespace taut

@@ -35,6 +35,7 @@ class CameraFit {
  private:
   Eigen::Matrix3d axes_;
   std::array<double, 2> slope_;  // of the line of sight to the margin, to the right and up
+  std::array<double, 2> reach_;  // √(1 + slope²)
   std::optional<Vec3> centre_;   // along the axes
   // Farthest of x + slope z and −x + slope z, and the same of y (m).
   std::array<double, 2> plus_{-1e301, -1e301}, minus_{-1e301, -1e301};
