@@ -57,9 +57,13 @@ Description sheet_of(const Net& net, int side) {
   return description;
 }
 
-double grown_by_a_step(const Built& built, const std::string& method) {
+taut::Run run_of(const Built& built, const std::string& method) {
   const bool chooses = find_method(method)->can.chooses_steps;
-  taut::Run run(built.model, built.start, chooses ? Settings{method, {}} : settings(method, 960.0));
+  return {built.model, built.start, chooses ? Settings{method, {}} : settings(method, 960.0)};
+}
+
+double grown_by_a_step(const Built& built, const std::string& method) {
+  taut::Run run = run_of(built, method);
   const double before = bytes_of_heap();
   EXPECT_TRUE(run.step()) << run.failure();
   return bytes_of_heap() - before;
@@ -76,6 +80,16 @@ TEST_P(SolveMemory, IsForetold) {
     EXPECT_GT(foretold, 0.8 * grown) << side;
     EXPECT_LT(foretold, 2.5 * grown) << side;
   }
+}
+
+// Pictures of a start make no step.
+TEST_P(SolveMemory, IsTakenWhenAStepIsMade) {
+  const std::string& name = GetParam().method;
+  const Built built = build_valid(sheet_of(GetParam(), 96));
+  const double before = bytes_of_heap();
+  const taut::Run run = run_of(built, name);
+  EXPECT_EQ(run.state().time, 0.0);
+  EXPECT_LT(bytes_of_heap() - before, 0.2 * find_method(name)->memory(built.model));
 }
 
 INSTANTIATE_TEST_SUITE_P(Nets, SolveMemory,
