@@ -75,7 +75,7 @@ Method dop853_method() {
           {0.0, 10.0, 75.0, 1.8, 1500.0},
           make_dop853,
           dop853_refusal,
-          bytes_of_links_factor};
+          bytes_of_rigid_links_factor};
 }
 
 }  // namespace taut

@@ -333,7 +333,7 @@ Method rattle_method() {
           {3.0, 10.0, 24.0, 2.8},
           make_rattle,
           rattle_refusal,
-          bytes_of_links_factor};
+          bytes_of_rigid_links_factor};
 }
 
 }  // namespace taut

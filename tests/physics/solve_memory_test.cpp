@@ -104,6 +104,14 @@ TEST(SolveMemoryOf, ChainsAndMethodsThatGoLinkByLinkTakeNone) {
   EXPECT_EQ(find_method("xpbd")->memory, nullptr);
 }
 
+// Links with stiffness are forces to these, and rows to newton.
+TEST(SolveMemoryOf, SpringsAreNoneToMethodsThatHaveThemAsForces) {
+  const Built springs = build_valid(sheet_of({"spring-implicit"}, 48));
+  for (const char* method : {"rattle", "dop853"})
+    EXPECT_EQ(find_method(method)->memory(springs.model), 0.0) << method;
+  EXPECT_GT(find_method("newton")->memory(springs.model), 1e6);
+}
+
 }  // namespace
 }  // namespace taut::test
 

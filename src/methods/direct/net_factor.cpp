@@ -2,14 +2,14 @@
 // them. A panel is first changed by every earlier one that reaches it, four columns by four at once, and then
 // eliminated in itself. The solves go panel by panel likewise. On the net of a sheet both take a third to a
 // half of the time of column by column (Ng and Peyton, Block sparse Cholesky algorithms on advanced
-// uniprocessor computers, 1993). Eigen works out the pattern of L.
+// uniprocessor computers, 1993).
 
 #include "direct/net_factor.h"
 
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -135,17 +135,30 @@ NetFactor::NetFactor(const SparseMatrix& pattern) {
   for (auto* list : {&first_, &next_, &reached_}) list->resize(panels_.size());
 }
 
-// That of L, from Eigen's own L, which is let go before there is room for another one's values.
+// Row k of L has an entry in column i wherever i is on the way up the elimination tree, towards k, from a row
+// of the matrix's column k (Liu, The role of elimination trees in sparse factorization, 1990): counted first,
+// then written, which leaves the rows of each column in order.
 void NetFactor::take_pattern(const SparseMatrix& pattern) {
-  // Of any matrix of the pattern whose pivots can't vanish.
-  SparseMatrix dominant = pattern;
-  std::fill(dominant.valuePtr(), dominant.valuePtr() + dominant.nonZeros(), 0.5);
-  for (Eigen::Index i = 0; i < dominant.cols(); ++i)
-    dominant.coeffRef(i, i) = static_cast<double>(dominant.cols());
-  const Eigen::SimplicialLDLT<SparseMatrix, Eigen::Upper, Eigen::NaturalOrdering<int>> solver(dominant);
-  const SparseMatrix& lower = solver.matrixL().nestedExpression();
-  begin_.assign(lower.outerIndexPtr(), lower.outerIndexPtr() + lower.cols() + 1);
-  row_.assign(lower.innerIndexPtr(), lower.innerIndexPtr() + begin_.back());
+  const auto size = static_cast<std::size_t>(pattern.cols());
+  std::vector<std::size_t> parent(size, none), reached_by(size, none);
+  const auto for_each_entry = [&](const auto& visit) {
+    std::ranges::fill(reached_by, none);
+    for (std::size_t k = 0; k < size; ++k) {
+      reached_by[k] = k;
+      for (SparseMatrix::InnerIterator entry(pattern, static_cast<Eigen::Index>(k)); entry; ++entry)
+        for (auto i = static_cast<std::size_t>(entry.row()); reached_by[i] != k; i = parent[i]) {
+          if (parent[i] == none) parent[i] = k;
+          reached_by[i] = k;
+          visit(i, k);
+        }
+    }
+  };
+  begin_.assign(size + 1, 0);
+  for_each_entry([&](std::size_t column, std::size_t) { ++begin_[column + 1]; });
+  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+  row_.resize(begin_.back());
+  std::vector<std::size_t> end(begin_.begin(), begin_.end() - 1);
+  for_each_entry([&](std::size_t column, std::size_t row) { row_[end[column]++] = static_cast<Index>(row); });
 }
 
 void NetFactor::find_panels() {

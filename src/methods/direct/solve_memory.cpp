@@ -9,37 +9,57 @@ namespace {
 
 constexpr double bytes_of_row = 300.0, bytes_of_pair = 15.0;
 
-// 0 for chains and trees to 1 for nets, in which every other link or more closes a ring.
-double share_of_rings(const Model& model) {
-  const auto links = static_cast<double>(model.links.size()),
-             free = static_cast<double>(std::ranges::count_if(model.masses.inverse_mass,
-                                                              [](double weight) { return weight > 0.0; }));
-  return links <= free ? 0.0 : std::min(1.0, 2.0 * (links - free) / links);
-}
+// Of some of a model's links.
+struct Net {
+  double links = 0.0, free_masses = 0.0;
+  double pairs = 0.0;  // of links that share a mass that moves
+};
 
-double pairs_that_share_a_mass(const Model& model) {
+template <class Counts>
+Net count_links(const Model& model, const Counts& counts) {
+  Net net;
   std::vector<double> links_at(model.masses.size(), 0.0);
   for (std::size_t i = 0; i < model.links.size(); ++i)
-    for (const Index mass : {model.links.a[i], model.links.b[i]})
-      if (!model.masses.pinned(mass)) ++links_at[mass];
-  double pairs = 0.0;
-  for (const double links : links_at) pairs += 0.5 * links * (links - 1.0);
-  return pairs;
+    if (counts(i)) {
+      ++net.links;
+      for (const Index mass : {model.links.a[i], model.links.b[i]}) ++links_at[mass];
+    }
+  for (std::size_t mass = 0; mass < links_at.size(); ++mass)
+    if (!model.masses.pinned(mass)) {
+      ++net.free_masses;
+      net.pairs += 0.5 * links_at[mass] * (links_at[mass] - 1.0);
+    }
+  return net;
+}
+
+Net all_links(const Model& model) {
+  return count_links(model, [](std::size_t) { return true; });
+}
+
+// 0 for chains and trees to 1 for nets, in which every other link or more closes a ring.
+double share_of_rings(const Net& net) {
+  return net.links <= net.free_masses ? 0.0 : std::min(1.0, 2.0 * (net.links - net.free_masses) / net.links);
+}
+
+double bytes_of_factor(const Net& net) {
+  return share_of_rings(net) *
+         (bytes_of_row * net.links + bytes_of_pair * net.pairs * std::log2(std::max(1.0, net.links)));
 }
 
 }  // namespace
 
 double bytes_of_links_factor(const Model& model) {
-  if (model.links.size() == 0) return 0.0;
-  const auto rows = static_cast<double>(model.links.size());
-  return share_of_rings(model) *
-         (bytes_of_row * rows + bytes_of_pair * pairs_that_share_a_mass(model) * std::log2(rows));
+  return bytes_of_factor(all_links(model));
+}
+
+double bytes_of_rigid_links_factor(const Model& model) {
+  return bytes_of_factor(count_links(model, [&](std::size_t link) { return model.links.rigid(link); }));
 }
 
 double bytes_of_masses_factor(const Model& model, double bytes) {
-  if (model.masses.size() == 0) return 0.0;
-  return std::lerp(0.5, 1.0, share_of_rings(model)) * bytes * static_cast<double>(model.links.size()) *
-         std::log2(static_cast<double>(model.masses.size()));
+  const Net net = all_links(model);
+  return std::lerp(0.5, 1.0, share_of_rings(net)) * bytes * net.links *
+         std::log2(std::max(1.0, static_cast<double>(model.masses.size())));
 }
 
 }  // namespace taut

@@ -11,6 +11,9 @@ namespace taut {
 /// more.
 double bytes_of_links_factor(const Model& model);
 
+/// The same where only rigid links have rows.
+double bytes_of_rigid_links_factor(const Model& model);
+
 /// The same of a factor with three rows for each mass, and `bytes` for each link, times log₂ of the masses,
 /// in a net; half of that in a chain or a tree.
 double bytes_of_masses_factor(const Model& model, double bytes);
