@@ -11,6 +11,21 @@
 
 namespace taut {
 
+namespace {
+
+struct Taken {
+  double addresses = 0.0, memory = 0.0;  // bytes
+};
+
+Taken taken() {
+  const auto page = static_cast<double>(sysconf(_SC_PAGESIZE));
+  double all = 0.0, resident = 0.0;
+  std::ifstream("/proc/self/statm") >> all >> resident;
+  return {all * page, resident * page};
+}
+
+}  // namespace
+
 double physical_memory() {
   return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
@@ -19,10 +34,7 @@ double room_for_addresses() {
   rlimit limit{};
   if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
     return std::numeric_limits<double>::infinity();
-  double pages_taken = 0.0;
-  std::ifstream("/proc/self/statm") >> pages_taken;
-  return std::max(
-      0.0, static_cast<double>(limit.rlim_cur) - pages_taken * static_cast<double>(sysconf(_SC_PAGESIZE)));
+  return std::max(0.0, static_cast<double>(limit.rlim_cur) - taken().addresses);
 }
 
 double usable_memory() {
@@ -34,6 +46,10 @@ double usable_memory() {
   if (double of_group = 0.0; std::ifstream("/sys/fs/cgroup/memory.max") >> of_group && of_group > 0.0)
     usable = std::min(usable, of_group);
   return usable;
+}
+
+double memory_left() {
+  return std::min(room_for_addresses(), std::max(0.0, usable_memory() - taken().memory));
 }
 
 std::string format_bytes(double bytes) {

@@ -84,11 +84,11 @@ std::string methods_that(Can can) {
 std::string memory_problem(const Model& model, const Method& method) {
   constexpr double always_there = 1e8;  // bytes
   const double bytes = method.memory == nullptr ? 0.0 : method.memory(model);
-  if (bytes < always_there || bytes < 0.8 * usable_memory()) return {};
+  if (bytes < always_there || bytes < 0.8 * memory_left()) return {};
   return fmt::format(
-      "method \"{}\" solves all links together, which takes about {} of memory for so large a net; this "
-      "machine has {}; use xpbd",
-      method.name, format_bytes(bytes), format_bytes(usable_memory()));
+      "method \"{}\" solves all links together, which takes about {} of memory for so large a net; of what "
+      "this machine has, {} are left; use xpbd",
+      method.name, format_bytes(bytes), format_bytes(memory_left()));
 }
 
 }  // namespace

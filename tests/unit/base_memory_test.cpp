@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "base/memory.h"
 
 namespace taut {
@@ -26,6 +28,14 @@ TEST(PhysicalMemory, IsThatOfARealMachine) {
 TEST(UsableMemory, IsNoMoreThanThereIs) {
   EXPECT_GT(usable_memory(), 0.0);
   EXPECT_LE(usable_memory(), physical_memory());
+}
+
+TEST(MemoryLeft, IsLessByWhatIsTaken) {
+  const double before = memory_left();
+  EXPECT_LT(before, usable_memory());
+  const std::vector<char> block(64'000'000, 'x');
+  EXPECT_LT(memory_left(), before - 50e6);
+  EXPECT_EQ(block.back(), 'x');
 }
 
 }  // namespace

@@ -12,6 +12,8 @@ double room_for_addresses();
 /// Bytes of memory that this process may have: those of the machine, or fewer where a limit on the process or
 /// on the group it runs in says so.
 double usable_memory();
+/// Bytes of it that this process doesn't have yet.
+double memory_left();
 
 /// A number of bytes for people, such as "3.2 GB".
 std::string format_bytes(double bytes);
