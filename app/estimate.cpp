@@ -23,9 +23,8 @@ std::string size_note(const Counts& counts) {
 }
 
 std::string run_note(const Scene& scene, double picture_bytes) {
-  const Method& method = method_called(scene.settings.method);
   const double bytes = bytes_needed(count(scene.description)) + picture_bytes +
-                       (method.memory == nullptr ? 0.0 : method.memory(scene.model));
+                       memory_of_step(method_called(scene.settings.method), scene.model);
   const double seconds = predicted_seconds(scene.model, scene.settings, scene.duration);
   if (seconds < long_simulation && bytes < much_memory) return {};
   const std::string memory = bytes < much_memory ? "" : fmt::format("{} and ", format_bytes(bytes));

@@ -22,14 +22,6 @@ constexpr double wind_step = 19.0;  // ns a triangle and step
 constexpr std::int64_t evaluations = 14;
 constexpr double farthest_turn = 4.0;
 
-// 0 for chains and trees, whose systems are solved in one pass, to 1 for nets, by the rings that links close:
-// in a net of links along rows and columns every other one does.
-double share_of_net(const Model& model) {
-  const auto links = static_cast<double>(model.links.size()),
-             rings = links - static_cast<double>(model.masses.size());
-  return rings <= 0.0 ? 0.0 : std::min(1.0, 2.0 * rings / links);
-}
-
 double rigid_links(const Model& model) {
   return static_cast<double>(std::ranges::count(model.links.stiffness, infinity));
 }
@@ -52,7 +44,7 @@ double predicted_seconds(const Model& model, std::string_view method, const Step
   const auto rows = static_cast<double>(model.links.size()),
              limits = static_cast<double>(model.limits.size()), rounds = static_cast<double>(counts.rounds),
              factorisations = static_cast<double>(counts.factorisations);
-  const double net = share_of_net(model);
+  const double net = share_of_net(rows, static_cast<double>(model.masses.size()));
   // What chooses its steps has links with stiffness as forces, of every evaluation.
   const double forces =
       entry.can.chooses_steps ? price.solve * factorisations * (rows - rigid_links(model)) : 0.0;

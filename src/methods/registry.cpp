@@ -83,12 +83,14 @@ std::string methods_that(Can can) {
 // What a machine can't hold of what a method solves all together.
 std::string memory_problem(const Model& model, const Method& method) {
   constexpr double always_there = 1e8;  // bytes
-  const double bytes = method.memory == nullptr ? 0.0 : method.memory(model);
-  if (bytes < always_there || bytes < 0.8 * memory_left()) return {};
+  const double bytes = memory_of_step(method, model);
+  if (bytes < always_there) return {};
+  const double left = memory_left();
+  if (bytes < 0.8 * left) return {};
   return fmt::format(
       "method \"{}\" solves all links together, which takes about {} of memory for so large a net; of what "
       "this machine has, {} are left; use xpbd",
-      method.name, format_bytes(bytes), format_bytes(memory_left()));
+      method.name, format_bytes(bytes), format_bytes(left));
 }
 
 }  // namespace
@@ -123,6 +125,10 @@ Settings complete_settings(const Method& method, const Settings& given) {
       complete.values.try_emplace(std::string(param.name), std::string(param.choices.front()));
   }
   return complete;
+}
+
+double memory_of_step(const Method& method, const Model& model) {
+  return method.memory == nullptr ? 0.0 : method.memory(model);
 }
 
 std::vector<std::string> capability_problems(const Model& model, const Method& method) {

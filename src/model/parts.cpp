@@ -203,6 +203,11 @@ std::span<const Part> model_parts() {
   return parts;
 }
 
+double share_of_net(double links, double masses) {
+  const double rings = links - masses;
+  return rings <= 0.0 ? 0.0 : std::min(1.0, 2.0 * rings / links);
+}
+
 bool has_rigid_links(const Model& model) {
   return std::ranges::any_of(model.links.stiffness, [](double k) { return k == infinity; });
 }

@@ -6,6 +6,7 @@
 
 #include "program.h"
 #include "program_on_the_path.h"
+#include "sanitized.h"
 
 // Too little of something: addresses, handles, bytes of a file or of a disk, or no folder any more.
 
@@ -49,7 +50,7 @@ const std::string scarce_chart =
     "TAUT chart small.toml --methods xpbd --errors energy --budget 0.01s -o chart --overwrite";
 
 TEST_F(Scarcity, OfAddressesIsSaid) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef TAUT_SANITIZED
   GTEST_SKIP() << "sanitizers take more addresses than there are to be";
 #endif
   // With fewer than the first the system's loader gives up, or what a library does before any line of ours.
@@ -67,7 +68,7 @@ TEST_F(Scarcity, OfAddressesIsSaid) {
 
 // What solves all links of a net together fills in many times what the net itself takes.
 TEST_F(Scarcity, OfMemoryForAFactorIsSaidBeforeTheRun) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef TAUT_SANITIZED
   GTEST_SKIP() << "sanitizers take more addresses than there are to be";
 #endif
   folder_.write("net.toml", R"(

@@ -12,15 +12,8 @@
 #include "fixtures.h"
 #include "methods/registry.h"
 #include "motion/run.h"
+#include "sanitized.h"
 #include "scenes_of_the_program.h"
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define TAUT_SANITIZED 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define TAUT_SANITIZED 1
-#endif
-#endif
 
 #ifndef TAUT_SANITIZED  // sanitizers have operators of their own
 

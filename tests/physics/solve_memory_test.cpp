@@ -2,15 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define TAUT_OWN_HEAP 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define TAUT_OWN_HEAP 1
-#endif
-#endif
+#include "sanitized.h"
 
-#ifndef TAUT_OWN_HEAP  // of that of sanitizers mallinfo2() knows nothing
+#ifndef TAUT_SANITIZED  // of the heap of sanitizers mallinfo2() knows nothing
 
 #include <malloc.h>
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "model/parts.h"
+
 namespace taut {
 namespace {
 
@@ -36,13 +38,8 @@ Net all_links(const Model& model) {
   return count_links(model, [](std::size_t) { return true; });
 }
 
-// 0 for chains and trees to 1 for nets, in which every other link or more closes a ring.
-double share_of_rings(const Net& net) {
-  return net.links <= net.free_masses ? 0.0 : std::min(1.0, 2.0 * (net.links - net.free_masses) / net.links);
-}
-
 double bytes_of_factor(const Net& net) {
-  return share_of_rings(net) *
+  return share_of_net(net.links, net.free_masses) *
          (bytes_of_row * net.links + bytes_of_pair * net.pairs * std::log2(std::max(1.0, net.links)));
 }
 
@@ -58,7 +55,7 @@ double bytes_of_rigid_links_factor(const Model& model) {
 
 double bytes_of_masses_factor(const Model& model, double bytes) {
   const Net net = all_links(model);
-  return std::lerp(0.5, 1.0, share_of_rings(net)) * bytes * net.links *
+  return std::lerp(0.5, 1.0, share_of_net(net.links, net.free_masses)) * bytes * net.links *
          std::log2(std::max(1.0, static_cast<double>(model.masses.size())));
 }
 

@@ -31,6 +31,9 @@ Settings complete_settings(const Method& method, const Settings& given);
 /// is fine.
 std::string param_problem(const Param& param, const std::variant<double, std::string>& value);
 
+/// About how much memory (bytes) a step by the method takes beside model and states (Method::memory).
+double memory_of_step(const Method& method, const Model& model);
+
 /// What the model needs that the method can't do, one sentence each, naming the methods that can; empty when
 /// it can do all.
 std::vector<std::string> capability_problems(const Model& model, const Method& method);

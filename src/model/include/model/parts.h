@@ -22,6 +22,10 @@ std::span<const Part> model_parts();
 /// True when every free mass has the same mass, so that links need no weights.
 bool equal_masses(const Model& model);
 
+/// How much of a net so many links between so many masses are: 0 for chains and trees, whose systems are
+/// solved in one pass, to 1 where every other link, as in a net of rows and columns, or more close a ring.
+double share_of_net(double links, double masses);
+
 /// Whether any link has no stiffness.
 bool has_rigid_links(const Model& model);
 
