@@ -62,19 +62,17 @@ class PathSide : public Elimination<upwards> {
     });
   }
   HWY_INLINE void pass_on(std::size_t k) {
-    const std::size_t i = this->place(k);
-    this->last_inverse_ = path_.inverse_pivot[i];
     if constexpr (with_right_side) {
+      const std::size_t i = this->place(k);
       right_side_[i] -= carried_;
       carried_ = path_.inward[i] * right_side_[i];
     }
   }
   HWY_INLINE void pass_on_alone(std::size_t k) {
     const std::size_t i = this->place(k);
-    const double inverse = this->next_inverse(k);
-    path_.inverse_pivot[i] = inverse;
-    path_.inward[i] = towards_[i] * inverse;
-    path_.outward[i] = away_[i] * inverse;
+    this->invert_next(k);
+    path_.inward[i] = towards_[i] * path_.inverse_pivot[i];
+    path_.outward[i] = away_[i] * path_.inverse_pivot[i];
     pass_on(k);
   }
   // To the middle's right side.

@@ -62,19 +62,24 @@ class Continuants {
  public:
   HWY_INLINE Continuants(const TiedRows& rows, double last) : rows_(rows), last_(last), before_(last) {
     values_[upwards ? 0 : pivots_at_once] = 1.0;
+    for_each_value(0, pivots_at_once, [&](auto tag, std::size_t j) TAUT_INLINED {
+      hn::Store(hn::Mul(hn::LoadU(tag, rows.tie + j), hn::LoadU(tag, rows.other_tie + j)), tag,
+                products_ + j);
+    });
   }
 
   // To be called for every k from 0 on.
   HWY_INLINE void go_on(std::size_t k) {
     const std::size_t j = place_in_group<upwards>(k);
-    const double next = rows_.diagonal[j] * newest_ - rows_.product(j) * before_;
+    const double next = rows_.diagonal[j] * newest_ - products_[j] * before_;
     before_ = newest_;
     newest_ = next;
     values_[upwards ? j + 1 : j] = next;
   }
 
-  // Writes 1/δ of the group, as they lie in memory.
-  HWY_INLINE void invert(double* inverse) const {
+  // Writes 1/δ of the group, as they lie in memory, and returns the last: what the next group begins with
+  // need not come from memory.
+  HWY_INLINE double invert(double* inverse) const {
     const hn::ScalableTag<double> tag;
     static_assert(pivots_at_once % hn::MaxLanes(tag) == 0);
     bool sound = true;
@@ -87,12 +92,15 @@ class Continuants {
       sound = sound && hn::AllTrue(tag, hn::And(held, kept));
       hn::StoreU(hn::Div(before, value), tag, inverse + j);
     }
-    if (!sound) invert_in_turn<upwards>(rows_, last_, inverse);
+    if (sound) return before_ / newest_;
+    invert_in_turn<upwards>(rows_, last_, inverse);
+    return inverse[place_in_group<upwards>(pivots_at_once - 1)];
   }
 
  private:
   TiedRows rows_;
   double last_, before_, newest_ = 1.0;
+  HWY_ALIGN double products_[pivots_at_once];
   double values_[pivots_at_once + 1];
 };
 
@@ -102,13 +110,12 @@ class Elimination {
  public:
   HWY_INLINE Continuants<upwards> continuants(std::size_t first) const {
     const std::size_t j = group(first);
-    const double last = first == 0 ? last_inverse_ : inverse_[place(first - 1)];
-    return {{rows_.diagonal + j, rows_.tie + j, rows_.other_tie + j}, last};
+    return {{rows_.diagonal + j, rows_.tie + j, rows_.other_tie + j}, last_inverse_};
   }
   HWY_INLINE void invert(std::size_t first, const Continuants<upwards>& continuants) {
-    continuants.invert(inverse_ + group(first));
+    last_inverse_ = continuants.invert(inverse_ + group(first));
   }
-  // 1/δ of the last row that has passed on what it is to.
+  // 1/δ of the last row that has one.
   HWY_INLINE double last_inverse() const { return last_inverse_; }
 
  protected:
@@ -117,8 +124,8 @@ class Elimination {
   HWY_INLINE std::size_t group(std::size_t first) const {
     return upwards ? first : count_ - first - pivots_at_once;
   }
-  HWY_INLINE double next_inverse(std::size_t k) const {
-    return inverse_pivot(rows_, place(k), last_inverse_);
+  HWY_INLINE void invert_next(std::size_t k) {
+    inverse_[place(k)] = last_inverse_ = inverse_pivot(rows_, place(k), last_inverse_);
   }
 
   TiedRows rows_{};

@@ -38,9 +38,10 @@ struct ChainArrays {
   AxesToWrite moved;   // accelerations, positions or velocities
 };
 
-// A block's rows of the matrix: A_ii, and A_{i−1,i} of its links and the one behind them; and 1/δ_i.
+// A block's rows of the matrix: A_ii, and A_{i−1,i} of its links and the one behind them; and 1/δ_i, of the
+// links before and behind it, too ([i + 1]).
 struct BlockRows {
-  double entry[most_block_links], shared[most_block_links + 1], inverse[most_block_links];
+  double entry[most_block_links], shared[most_block_links + 1], inverse[most_block_links + 2];
 };
 
 // u of the lower mass less that of the higher one.
@@ -154,23 +155,37 @@ class HalfElimination : public Elimination<upwards> {
                               const ChainArrays& arrays) {
     constexpr std::size_t to_last = upwards ? 0 : 1;
     this->count_ = block.count;
-    this->inverse_ = rows.inverse + row;
+    this->inverse_ = rows.inverse + 1 + row;
+    this->inverse_[upwards ? -1 : static_cast<std::ptrdiff_t>(block.count)] = this->last_inverse_;
     this->rows_ = {rows.entry + row, rows.shared + row + to_last, rows.shared + row + to_last};
     passed_ = arrays.passed + block.link + to_last;
     multiplier_ = arrays.multiplier + block.link;
   }
 
-  HWY_INLINE void pass_on(std::size_t k) { reduce(this->place(k), this->inverse_[this->place(k)]); }
-  HWY_INLINE void pass_on_alone(std::size_t k) { reduce(this->place(k), this->next_inverse(k)); }
+  HWY_INLINE void invert(std::size_t first, const Continuants<upwards>& continuants) {
+    Elimination<upwards>::invert(first, continuants);
+    const std::size_t group = this->group(first);
+    for_each_value(group, group + pivots_at_once, [&](auto tag, std::size_t i) TAUT_INLINED {
+      hn::StoreU(hn::Mul(hn::LoadU(tag, this->rows_.tie + i), hn::LoadU(tag, this->inverse_ + i + before_)),
+                 tag, passed_ + i);
+    });
+  }
+  // The right side.
+  HWY_INLINE void pass_on(std::size_t k) {
+    const std::size_t i = this->place(k);
+    last_right_ = multiplier_[i] - passed_[i] * last_right_;
+    multiplier_[i] = last_right_ * this->inverse_[i];
+  }
+  HWY_INLINE void pass_on_alone(std::size_t k) {
+    const std::size_t i = this->place(k);
+    passed_[i] = this->rows_.tie[i] * this->last_inverse_;
+    this->invert_next(k);
+    pass_on(k);
+  }
 
  private:
-  // The right side.
-  HWY_INLINE void reduce(std::size_t i, double inverse) {
-    passed_[i] = this->rows_.tie[i] * this->last_inverse_;
-    last_right_ = multiplier_[i] - passed_[i] * last_right_;
-    multiplier_[i] = last_right_ * inverse;
-    this->last_inverse_ = inverse;
-  }
+  // Where the link before lies in memory.
+  static constexpr std::ptrdiff_t before_ = upwards ? -1 : 1;
 
   double last_right_ = 0.0;
   double *passed_ = nullptr, *multiplier_ = nullptr;

@@ -40,12 +40,12 @@ HWY_INLINE const double* unmoved(const PhaseSums& at, std::size_t axis) {
   return wanted == Wanted::length ? at.position[axis] : at.velocity[axis];
 }
 
-// Moves the masses between a block's links.
+// Moves the masses [begin, end) between a block's links.
 template <Wanted wanted>
-HWY_INLINE void move_block(const ChainLinks& links, const PhaseSums& at, const ChainBlock& block,
-                           const ChainArrays& arrays) {
+HWY_INLINE void move_masses(const ChainLinks& links, const PhaseSums& at, const ChainBlock& block,
+                            std::size_t begin, std::size_t end, const ChainArrays& arrays) {
   const std::size_t link = block.link;
-  for_groups(Widest(), block.inner_begin, block.inner_end, [&](auto tag, std::size_t k) TAUT_INLINED {
+  for_groups(Widest(), begin, end, [&](auto tag, std::size_t k) TAUT_INLINED {
     const auto before = hn::LoadU(tag, arrays.multiplier + link + k - 1),
                behind = hn::LoadU(tag, arrays.multiplier + link + k);
     const auto weight = hn::LoadU(tag, arrays.inverse_mass + block.mass + k);
@@ -72,69 +72,110 @@ HWY_INLINE void move_single(const ChainLinks& links, const PhaseSums& at, const 
   }
 }
 
-// A multiplier of the front half, from the one behind it, and of the back half, from the one before it, down
-// to which `known` is; adds 0 to `unsound`, unless it is not finite.
-HWY_INLINE void substitute_downwards(std::size_t i, const ChainArrays& arrays, double& known,
-                                     double& unsound) {
-  arrays.multiplier[i] = known = arrays.multiplier[i] - arrays.passed[i + 1] * known;
-  unsound += 0.0 * known;
-}
-HWY_INLINE void substitute_upwards(const ChainLinks& links, std::size_t i, const ChainArrays& arrays,
-                                   double& known, double& unsound) {
-  if (i != links.middle) arrays.multiplier[i] = known = arrays.multiplier[i] - arrays.passed[i] * known;
-  unsound += 0.0 * known;
+// The way out of one half: multipliers from the middle to its end, and masses some links behind them. Each
+// multiplier waits for the one before; masses are moved while they do.
+template <Wanted wanted, bool front>
+class HalfSubstitution {
+ public:
+  HWY_INLINE HalfSubstitution(const ChainLinks& links, const PhaseSums& at, const ChainArrays& arrays)
+      : links_(links), at_(at), arrays_(arrays), known_(arrays.multiplier[links.middle]) {}
+
+  HWY_INLINE void begin_block(const ChainBlock& block) {
+    block_ = block;
+    done_ = 0;
+    moved_ = front ? block.inner_end : block.inner_begin;
+  }
+  // A multiplier: of the front half from the one behind it, and of the back half from the one before it.
+  HWY_INLINE void substitute() {
+    const std::size_t i = front ? block_.link + block_.count - 1 - done_ : block_.link + done_;
+    ++done_;
+    if (!front && i == links_.middle) return;
+    const std::size_t passed = front ? i + 1 : i;
+    arrays_.multiplier[i] = known_ = arrays_.multiplier[i] - arrays_.passed[passed] * known_;
+  }
+  // Those of the masses between multipliers that are known which are `behind` links behind the last.
+  HWY_INLINE void move_masses_behind(std::size_t behind) {
+    if (done_ < behind) return;
+    if (front)
+      move_down_to(std::max(block_.inner_begin, block_.count - done_ + 1 + behind));
+    else
+      move_up_to(std::min(block_.inner_end, done_ - behind));
+  }
+  HWY_INLINE void end_block() {
+    if (front)
+      move_down_to(block_.inner_begin);
+    else
+      move_up_to(block_.inner_end);
+  }
+  // 0, unless a multiplier is not finite: then all that come from it are not.
+  HWY_INLINE double unsound() const { return 0.0 * known_; }
+
+ private:
+  HWY_INLINE void move_down_to(std::size_t k) {
+    if (k >= moved_) return;
+    move_masses<wanted>(links_, at_, block_, k, moved_, arrays_);
+    moved_ = k;
+  }
+  HWY_INLINE void move_up_to(std::size_t k) {
+    if (k <= moved_) return;
+    move_masses<wanted>(links_, at_, block_, moved_, k, arrays_);
+    moved_ = k;
+  }
+
+  const ChainLinks& links_;
+  const PhaseSums& at_;
+  const ChainArrays arrays_;
+  ChainBlock block_;
+  double known_;
+  std::size_t done_ = 0;   // links of the block
+  std::size_t moved_ = 0;  // of its masses, from there on (front), or those before
+};
+
+// So many multipliers are worked out before masses that wait for some are moved; those are a few behind.
+constexpr std::size_t multipliers_at_once = 8, multipliers_ahead = 16;
+
+template <class... Halves>
+HWY_INLINE void substitute(std::size_t count, Halves&... halves) {
+  std::size_t k = 0;
+  for (; k + multipliers_at_once <= count; k += multipliers_at_once) {
+    for (std::size_t i = 0; i < multipliers_at_once; ++i) (halves.substitute(), ...);
+    (halves.move_masses_behind(multipliers_ahead), ...);
+  }
+  for (; k < count; ++k) (halves.substitute(), ...);
 }
 
-// From the middle to the end of one half, for a thread of its own; returns 0, unless a multiplier is not
-// finite.
-template <Wanted wanted>
-HWY_INLINE double substitute_half(const ChainLinks& links, bool front, const PhaseSums& at,
-                                  const ChainArrays& arrays) {
-  double unsound = 0.0, known = arrays.multiplier[links.middle];
+// From the middle to the end of one half, for a thread of its own.
+template <Wanted wanted, bool front>
+HWY_INLINE double substitute_half(const ChainLinks& links, const PhaseSums& at, const ChainArrays& arrays) {
+  HalfSubstitution<wanted, front> half(links, at, arrays);
   const std::vector<ChainBlock>& blocks = front ? links.front : links.back;
   for (std::size_t b = blocks.size(); b-- > 0;) {
-    const ChainBlock& block = blocks[b];
-    for (std::size_t k = 0; k < block.count; ++k) {
-      if (front)
-        substitute_downwards(block.link + block.count - 1 - k, arrays, known, unsound);
-      else
-        substitute_upwards(links, block.link + k, arrays, known, unsound);
-    }
-    move_block<wanted>(links, at, block, arrays);
+    half.begin_block(blocks[b]);
+    substitute(blocks[b].count, half);
+    half.end_block();
   }
-  return unsound;
+  return half.unsound();
 }
 
 // The same of both halves, in turn.
 template <Wanted wanted>
 HWY_INLINE double substitute_both(const ChainLinks& links, const PhaseSums& at, const ChainArrays& arrays) {
-  double unsound = 0.0;
-  double on_front = arrays.multiplier[links.middle], on_back = on_front;
+  HalfSubstitution<wanted, true> on_front(links, at, arrays);
+  HalfSubstitution<wanted, false> on_back(links, at, arrays);
   const ChainBlock none;
   for (std::size_t b = std::max(links.front.size(), links.back.size()); b-- > 0;) {
     const ChainBlock& front = b < links.front.size() ? links.front[b] : none;
     const ChainBlock& back = b < links.back.size() ? links.back[b] : none;
-    const auto step_front = [&](std::size_t k) TAUT_INLINED {
-      substitute_downwards(front.link + front.count - 1 - k, arrays, on_front, unsound);
-    };
-    const auto step_back = [&](std::size_t k) TAUT_INLINED {
-      substitute_upwards(links, back.link + k, arrays, on_back, unsound);
-    };
+    on_front.begin_block(front);
+    on_back.begin_block(back);
     const std::size_t both = std::min(front.count, back.count);
-    for (std::size_t k = 0; k < both; ++k) {
-      step_front(k);
-      step_back(k);
-    }
-    for (std::size_t k = both; k < front.count; ++k) step_front(k);
-    for (std::size_t k = both; k < back.count; ++k) step_back(k);
-    if (links.is_short) {
-      move_block<wanted>(links, at, links.whole, arrays);
-    } else {
-      move_block<wanted>(links, at, front, arrays);
-      move_block<wanted>(links, at, back, arrays);
-    }
+    substitute(both, on_front, on_back);
+    substitute(front.count - both, on_front);
+    substitute(back.count - both, on_back);
+    on_front.end_block();
+    on_back.end_block();
   }
-  return unsound;
+  return on_front.unsound() + on_back.unsound();
 }
 
 // Where there are workers, a thread takes each half. Both ways every number is put together alike.
@@ -164,7 +205,8 @@ HWY_INLINE double solve(const ChainLinks& links, const PhaseSums& at, Workers* w
     meet(links, last, arrays);
     std::array<double, 2> of_halves{};
     run_jobs(workers, 2, [&](std::size_t half) {
-      of_halves[half] = substitute_half<wanted>(links, half == 0, at, arrays);
+      of_halves[half] = half == 0 ? substitute_half<wanted, true>(links, at, arrays)
+                                  : substitute_half<wanted, false>(links, at, arrays);
     });
     unsound = of_halves[0] + of_halves[1];
   }
