@@ -150,8 +150,8 @@ void Pipeline::simulate(PanelRuns& runs) {
     for (std::size_t i = 0; i < now->size() && measured; ++i) {
       const PanelOutcome outcome{runs.measures(i), (*now)[i].failure};
       if (job_.metrics.make) metrics_.add(frame_metrics(scenes_[i], frame, outcome.measures));
-      posed.captions.push_back(
-          panel_caption(scenes_[i], outcome.measures, time, outcome.failure, now->size() == 1));
+      posed.captions.push_back(panel_caption(scenes_[i], outcome.measures, film_time_text(scenes_[i], time),
+                                             outcome.failure, now->size() == 1));
       if (last) outcome_.panels.push_back(outcome);
     }
     posed.panels = *std::move(now);

@@ -128,9 +128,9 @@ std::shared_ptr<const Layers> Painter::fetch() {
   return tools_->renderer.fetch();
 }
 
-Image Painter::draw(const State& state, const Trails* trails) {
+Image Painter::draw(const State& state, const Trails* trails, bool with_legend) {
   submit(*shape({&state, trails}));
-  return flatten(*fetch());
+  return flatten(*fetch(), with_legend);
 }
 
 std::string Painter::drawn_by() const {

@@ -119,7 +119,11 @@ RunMeasures PanelRuns::measures(std::size_t which) const {
 
 std::string time_text(const Scene& scene, double time) {
   // As many digits as tell the moments of a film apart.
-  const std::string text = fmt::format("{:.{}f} s", time, scene.duration < 1.0 ? 3 : 2);
+  return fmt::format("{:.{}f} s", time, scene.duration < 1.0 ? 3 : 2);
+}
+
+std::string film_time_text(const Scene& scene, double time) {
+  const std::string text = time_text(scene, time);
   const double speed = film_speed(scene.look, time);
   if (speed == 1.0) return text;
   return speed < 1.0 ? fmt::format("{}, {:.3g} × slower", text, 1.0 / speed)
@@ -152,9 +156,9 @@ std::string figures_text(const Scene& scene, const RunMeasures& measures) {
   return text + fmt::format(", energy {}{}", !has_digits ? "error " : error < 0.0 ? "−" : "+", size);
 }
 
-Caption panel_caption(const Scene& scene, const RunMeasures& measures, double time,
+Caption panel_caption(const Scene& scene, const RunMeasures& measures, const std::string& time,
                       const std::string& failure, bool alone) {
-  Caption caption{alone ? scene.title : panel_title(scene), time_text(scene, time), {}, !failure.empty()};
+  Caption caption{alone ? scene.title : panel_title(scene), time, {}, !failure.empty()};
   caption.line = caption.failed ? fmt::format("went no further than {:.3g} s", measures.time)
                                 : figures_text(scene, measures);
   if (alone) caption.line = fmt::format("{} · {}", panel_title(scene), caption.line);

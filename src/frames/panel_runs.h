@@ -58,13 +58,14 @@ class PanelRuns {
 /// A way of running a scene in a few words, such as "xpbd × 4, 600 steps/s".
 std::string panel_title(const Scene& scene);
 
-/// A time of a scene's run in words.
+/// A time of a scene's run in words; in a film with how much slower or faster than that it goes there.
 std::string time_text(const Scene& scene, double time);
+std::string film_time_text(const Scene& scene, double time);
 
-/// What is said of a picture of a run at a time (s), alone or among those of others: the scene's or the
-/// method's name, the time, the largest strain of a link, and the energy error where no drag takes any; or
-/// how far the run went.
-Caption panel_caption(const Scene& scene, const RunMeasures& measures, double time,
+/// What is said of a picture of a run at a time (in words), alone or among those of others: the scene's or
+/// the method's name, the time, the largest strain of a link, and the energy error where no drag takes any;
+/// or how far the run went.
+Caption panel_caption(const Scene& scene, const RunMeasures& measures, const std::string& time,
                       const std::string& failure, bool alone);
 
 /// A hash of the states of all panels: of one alone, its own.

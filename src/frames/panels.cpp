@@ -95,8 +95,13 @@ PanelPainter::Drawn PanelPainter::fetch() {
 
 Image PanelPainter::finish(const Drawn& drawn, std::span<const Caption> captions) const {
   if (drawn.size() == 1 && !writer_) return flatten(*drawn.front());
+  // One legend says it for all.
   std::vector<Image> pictures;
-  for (const auto& layers : drawn) pictures.push_back(flatten(*layers));
+  bool told = false;
+  for (const auto& layers : drawn) {
+    pictures.push_back(flatten(*layers, !told));
+    told = told || has_legend(*layers);
+  }
   return laid_out(sheet_grid(settings_.render.size, drawn.size()), pictures, captions,
                   writer_ ? &*writer_ : nullptr, theme_);
 }

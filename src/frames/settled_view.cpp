@@ -14,6 +14,7 @@
 #include "render/camera.h"
 #include "render/camera_fit.h"
 #include "render/ground.h"
+#include "render/support_reach.h"
 
 namespace taut {
 namespace {
@@ -23,6 +24,7 @@ constexpr double margin_of_look_ahead = 0.10;
 // How far below the lowest mass a ground goes that would hide it, as a share of what there is to show.
 constexpr double ground_clearance = 0.04;
 constexpr double widest = 16.0 / 9.0;
+constexpr int turns_of_orbit = 48;  // in which what stands still is looked at
 
 // A ball that there is to show, and when (s).
 using Visit = std::function<void(const Vec3& place, double radius, double time)>;
@@ -51,7 +53,7 @@ std::vector<double> drawn_radii(const Model& model, const Look& look) {
 
 void visit_corners(const Scene& scene, const Visit& visit) {
   // An orbiting camera sees the box from all sides.
-  const int times = scene.camera.orbit == 0.0 ? 1 : 48;
+  const int times = scene.camera.orbit == 0.0 ? 1 : turns_of_orbit;
   const auto& [low, high] = *scene.camera.show;
   for (int turn = 0; turn < times; ++turn)
     for (int corner = 0; corner < 8; ++corner)
@@ -60,13 +62,28 @@ void visit_corners(const Scene& scene, const Visit& visit) {
             0.0, turn == 0 ? 0.0 : 360.0 / scene.camera.orbit * turn / times);
 }
 
+// What holds pins and stands still: an orbiting camera sees it from all sides, one that follows a mass leaves
+// it behind.
+void visit_fixed(const Scene& scene, const std::vector<Reach>& fixed, const Visit& visit) {
+  if (!scene.camera.follow.empty()) return;
+  const int times = scene.camera.orbit == 0.0 ? 1 : turns_of_orbit;
+  for (const auto& [place, radius] : fixed)
+    for (int turn = 0; turn < times; ++turn)
+      visit(place, radius, turn == 0 ? 0.0 : 360.0 / scene.camera.orbit * turn / times);
+}
+
 void visit_motion(const Scene& scene, const StopTest& stop, const Visit& visit) {
   const std::vector<double> radii = drawn_radii(scene.model, scene.look);
   const std::vector<bool> seen = masses_in_view(scene.model, scene.look);
+  const SupportReach supports =
+      reach_of_supports(scene.model, scene.start, scene.look, up_direction(scene.camera, scene.model));
+  visit_fixed(scene, supports.fixed, visit);
   look_ahead(scene, stop, [&](const State& state) {
     const Vec3 shift = displacement(scene.camera.follow, scene.model, scene.start, state);
     for (std::size_t i = 0; i < radii.size(); ++i)
       if (seen[i]) visit(state.position.at(i) - shift, radii[i], state.time);
+    for (const auto& [mass, reach] : supports.carried)
+      visit(state.position.at(mass) - shift + reach.place, reach.radius, state.time);
   });
 }
 

@@ -25,7 +25,8 @@ namespace {
 // Of one picture alone all is said below it; of several in a row, what they share is said below the first.
 Caption strip_caption(const Scene& scene, const Simulation& simulation, const State& state, std::size_t which,
                       std::size_t count) {
-  if (count == 1) return panel_caption(scene, simulation.measures(state), state.time, {}, true);
+  if (count == 1)
+    return panel_caption(scene, simulation.measures(state), time_text(scene, state.time), {}, true);
   Caption caption{{}, time_text(scene, state.time), {}, false};
   if (which == 0) caption.line = scene.title;
   if (which == 1) caption.line = panel_title(scene);
@@ -85,7 +86,7 @@ std::optional<std::string> make_strip(Scene& scene, const std::vector<double>& t
   Painter painter(scene, settings);
   std::vector<Image> pictures;
   for (std::size_t i = 0; i < states.size(); ++i) {
-    pictures.push_back(painter.draw(states[i], trails[i].get()));
+    pictures.push_back(painter.draw(states[i], trails[i].get(), i == 0));
     stop_if_told(stop);
   }
   const std::optional<CaptionWriter> writer =

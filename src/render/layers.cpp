@@ -106,11 +106,16 @@ void lay_over(Image& picture, int left, int top, const Image& cut_out) {
     lay_samples_over<std::uint8_t, 3>(picture, left, top, cut_out);
 }
 
-Image flatten(const Layers& layers) {
+Image flatten(const Layers& layers, bool with_legend) {
   Image image =
       layers.bits == 16 ? flatten_samples<std::uint16_t>(layers) : flatten_samples<std::uint8_t>(layers);
-  if (layers.legend) draw_legend(image, layers.legend->font, layers.legend->by, layers.legend->scale);
+  if (layers.legend && with_legend)
+    draw_legend(image, layers.legend->font, layers.legend->by, layers.legend->scale);
   return image;
+}
+
+bool has_legend(const Layers& layers) {
+  return layers.legend.has_value();
 }
 
 }  // namespace taut

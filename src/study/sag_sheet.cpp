@@ -15,6 +15,7 @@
 #include "render/camera.h"
 #include "render/camera_fit.h"
 #include "render/overlay.h"
+#include "render/support_reach.h"
 #include "render/text.h"
 
 namespace taut {
@@ -30,15 +31,19 @@ constexpr double exact_width = 3.0;  // pixels
 constexpr std::size_t most_lines = 400;
 constexpr double sheet_margin = 0.08;  // of each picture
 
-// A camera that looks along the scene's own line of sight and sees all states whole.
+// A camera that looks along the scene's own line of sight and sees all states whole, and what holds them.
 Camera camera_for(const Scene& scene, const SagStudy& study, double aspect) {
   const Vec3 up = up_direction(scene.camera, scene.model);
   const Vec3 towards_eye = scene.camera.eye && scene.camera.target
                                ? Vec3(*scene.camera.eye - *scene.camera.target)
                                : scene.camera.direction;
   CameraFit fit(sight_axes(towards_eye, up), scene.camera.field_of_view, aspect, sheet_margin);
+  const SupportReach supports = reach_of_supports(scene.model, scene.start, scene.look, up);
+  for (const auto& [place, radius] : supports.fixed) fit.add(place, radius);
   const auto include = [&](const State& state) {
     for (std::size_t i = 0; i < state.position.size(); ++i) fit.add(state.position.at(i), 0.0);
+    for (const auto& [mass, reach] : supports.carried)
+      fit.add(state.position.at(mass) + reach.place, reach.radius);
   };
   include(study.exact.state);
   for (const SagEntry& entry : study.entries)
@@ -196,7 +201,7 @@ Image sag_sheet(const Scene& scene, const SagStudy& study, const PictureSettings
   Painter painter(posed, settings);
   for (int i = 0; i < count; ++i) {
     const auto& [state, caption] = panels[static_cast<std::size_t>(i)];
-    Image picture = painter.draw(*state);
+    Image picture = painter.draw(*state, nullptr, i == 0);
     show_behind(backdrop, lines, picture);
     const int left = gap + (i % columns) * (panel.width + gap);
     const int top = heading_height + (i / columns) * (panel.height + caption_height);

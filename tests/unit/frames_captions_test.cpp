@@ -99,18 +99,20 @@ TEST(Captions, GiveErrorsASignOnlyWhereTheyHaveDigits) {
   Scene scene = test::scene_called("pendulum");
   RunMeasures measures;
   measures.energy_error = -1e-9;
-  EXPECT_NE(panel_caption(scene, measures, 1.0, {}, false).line.find("energy error below 0.0001 %"),
+  EXPECT_NE(panel_caption(scene, measures, "1.00 s", {}, false).line.find("energy error below 0.0001 %"),
             std::string::npos);
   measures.energy_error = -0.0123;
-  EXPECT_NE(panel_caption(scene, measures, 1.0, {}, false).line.find("energy −1.2 %"), std::string::npos);
+  EXPECT_NE(panel_caption(scene, measures, "1.00 s", {}, false).line.find("energy −1.2 %"),
+            std::string::npos);
   measures.energy_error = 0.0123;
-  const Caption alone = panel_caption(scene, measures, 1.0, {}, true);
+  const Caption alone = panel_caption(scene, measures, "1.00 s", {}, true);
   EXPECT_NE(alone.line.find("energy +1.2 %"), std::string::npos);
   EXPECT_EQ(alone.title, scene.title);
   EXPECT_EQ(alone.time, "1.00 s");
-  EXPECT_TRUE(panel_caption(scene, measures, 1.0, "a reason", false).failed);
+  EXPECT_TRUE(panel_caption(scene, measures, "1.00 s", "a reason", false).failed);
   scene.look.speed = {{0.5, 0.2}};
-  EXPECT_EQ(panel_caption(scene, measures, 1.0, {}, true).time, "1.00 s, 5 × slower");
+  EXPECT_EQ(film_time_text(scene, 1.0), "1.00 s, 5 × slower");
+  EXPECT_EQ(time_text(scene, 1.0), "1.00 s") << "no picture is slow";
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "frames/simulation.h"
 #include "render/camera.h"
 #include "render/ground.h"
+#include "render/support_reach.h"
 #include "scenes_of_the_program.h"
 
 namespace taut {
@@ -63,6 +64,32 @@ INSTANTIATE_TEST_SUITE_P(SettledView, EveryScene, ::testing::ValuesIn(test::scen
                            std::ranges::replace(name, '-', '_');
                            return name;
                          });
+
+// How far what holds a scene's pins is from the edges of the picture, as a share of it; below 0: outside.
+double least_margin_of_supports(const Scene& scene, Size size) {
+  const SupportReach supports =
+      reach_of_supports(scene.model, scene.start, scene.look, up_direction(scene.camera, scene.model));
+  std::vector<Reach> all = supports.fixed;
+  for (const auto& [mass, reach] : supports.carried)
+    all.push_back({scene.start.position.at(mass) + reach.place, reach.radius});
+  const CameraPose pose = camera_pose(scene.camera, scene.model, scene.start, scene.start);
+  double least = 1.0;
+  for (const Reach& reach : all) {
+    const Vec3 at = picture_position(pose, size.width, size.height, reach.place);
+    if (at.z() <= 0.0) return -1.0;
+    const double x = at.x() / size.width, y = at.y() / size.height;
+    least = std::min({least, x, 1.0 - x, y, 1.0 - y});
+  }
+  return least;
+}
+
+TEST_P(EveryScene, IsSeenWithWhatHoldsIt) {
+  Scene scene = test::scene_called(GetParam());
+  EXPECT_GT(least_margin_of_supports(settled(scene, shapes[0]), shapes[0]), 0.0);
+  scene.camera = {};
+  for (const Size size : shapes)
+    EXPECT_GT(least_margin_of_supports(settled(scene, size), size), 0.02) << size.width << "x" << size.height;
+}
 
 // Scenes that say nothing of a camera.
 const std::vector<std::string> without_camera{

@@ -1,8 +1,12 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "geometry/lattice.h"
 #include "geometry/supports.h"
 #include "geometry/view_matrices.h"
+#include "render/appearance.h"
+#include "render/support_reach.h"
 
 namespace taut {
 namespace {
@@ -29,6 +33,15 @@ void add_part(Bodies& bodies, const SupportPart& part, const PictureSpace& space
                   part.end_radius, colour_of(part.material, theme));
   rod.squeeze = to_glm(space.direction(part.squeeze));
   bodies.rods.push_back(rod);
+}
+
+std::vector<Vec3> corners_of(const Box& box) {
+  std::vector<Vec3> corners;
+  for (const double x : {-1.0, 1.0})
+    for (const double y : {-1.0, 1.0})
+      for (const double z : {-1.0, 1.0})
+        corners.emplace_back(box.centre + box.axes * Vec3(x, y, z).cwiseProduct(box.half_size));
+  return corners;
 }
 
 }  // namespace
@@ -63,6 +76,30 @@ void add_supports(Bodies& bodies, const Supports& supports, const PictureSpace& 
     add_shape(bodies, space.seen(Shape(beam)), colour_of(Material::wood, theme));
   for (const CarriedPart& carried : supports.carried)
     add_part(bodies, carried.part, space, seen.position.at(carried.mass), theme);
+}
+
+SupportReach reach_of_supports(const Model& model, const State& start, const Look& look, const Vec3& up) {
+  if (!look.supports) return {};
+  SceneSupports scene(model, start, look, radii(model, look), appearance(model, look));
+  const Supports& all = scene.seen_with(up);
+  double lowest = std::numeric_limits<double>::infinity();  // of pins
+  for (std::size_t i = 0; i < model.masses.size(); ++i)
+    if (model.masses.pinned(i)) lowest = std::min(lowest, up.dot(start.position.at(i)));
+  SupportReach reach;
+  const auto add = [&](const Vec3& place, double radius) {
+    if (up.dot(place) + radius >= lowest) reach.fixed.push_back({place, radius});
+  };
+  for (const SupportPart& part : all.fixed) {
+    add(part.start, part.start_radius);
+    add(part.end, part.end_radius);
+  }
+  for (const Box& beam : all.beams)
+    for (const Vec3& corner : corners_of(beam)) add(corner, 0.0);
+  for (const auto& [mass, part] : all.carried) {
+    reach.carried.push_back({mass, {part.start, part.start_radius}});
+    reach.carried.push_back({mass, {part.end, part.end_radius}});
+  }
+  return reach;
 }
 
 }  // namespace taut

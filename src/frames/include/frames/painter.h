@@ -58,7 +58,7 @@ class Painter {
   /// The parts of the picture submitted first of those not fetched yet; flatten() lays them over each other.
   std::shared_ptr<const Layers> fetch();
   /// All steps in one, when nothing is submitted.
-  Image draw(const State& state, const Trails* trails = nullptr);
+  Image draw(const State& state, const Trails* trails = nullptr, bool with_legend = true);
 
   /// What draws (GlContext::description()).
   std::string drawn_by() const;
