@@ -24,14 +24,18 @@ constexpr std::string_view bt709_stated =
 // H.264 at a quality where the eye sees no loss. In a file the index comes first, so that a page can start
 // playing early. Of the curtain and the breaking cloth this takes a quarter less time than `veryfast`, for
 // films an eighth larger and as near to their pictures (SSIM 0.9913 for 0.9917, and 0.9959 for 0.9962); plain
-// `superfast`, which spreads its bits without looking ahead, makes them three times as large.
+// `superfast`, which spreads its bits without looking ahead, makes them three times as large. More of them
+// than usual go to what is nearly even (aq-strength): else the noise that keeps a sky from showing bands is
+// taken for nothing, and the bands are there. That is a quarter more bytes, and no more time.
 constexpr std::string_view h264 =
-    "-c:v libx264 -preset superfast -x264-params mbtree=1:rc-lookahead=10 -crf 18 -pix_fmt yuv420p";
+    "-c:v libx264 -preset superfast -x264-params mbtree=1:rc-lookahead=10:aq-mode=3:aq-strength=1.2 -crf 18 "
+    "-pix_fmt yuv420p";
 
+// The same with aq-mode, for a quarter more bytes.
 constexpr std::string_view vp9 =
-    "-c:v libvpx-vp9 -crf 24 -b:v 0 -deadline good -cpu-used 5 -row-mt 1 -pix_fmt yuv420p";
+    "-c:v libvpx-vp9 -crf 24 -b:v 0 -deadline good -cpu-used 5 -row-mt 1 -aq-mode 1 -pix_fmt yuv420p";
 constexpr std::string_view vp9_with_opacity =
-    "-c:v libvpx-vp9 -crf 24 -b:v 0 -deadline good -cpu-used 5 -row-mt 1 -pix_fmt yuva420p";
+    "-c:v libvpx-vp9 -crf 24 -b:v 0 -deadline good -cpu-used 5 -row-mt 1 -aq-mode 1 -pix_fmt yuva420p";
 
 // A palette a frame: one for the whole film would have to hold all frames in memory first.
 constexpr std::string_view gif =

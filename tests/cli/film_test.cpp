@@ -70,6 +70,31 @@ TEST_F(FilmTest, ForCuttingIsProResWithOpacity) {
   EXPECT_EQ(corner.out, std::string(1, '\0'));
 }
 
+// How many pixels of one brightness lie side by side in the upper left corner of a film's seventh frame.
+double mean_run(const std::string& film) {
+  constexpr int width = 480;
+  const Ran corner = run_program(
+      "ffmpeg", {"-v", "error", "-i", film, "-vf", fmt::format("select=eq(n\\,6),crop={}:150:0:0", width),
+                 "-frames:v", "1", "-f", "rawvideo", "-pix_fmt", "gray", "-"});
+  double runs = 0.0;
+  for (std::size_t i = 0; i < corner.out.size(); ++i)
+    if (i % width == 0 || corner.out[i] != corner.out[i - 1]) ++runs;
+  return static_cast<double>(corner.out.size()) / runs;
+}
+
+TEST_F(FilmTest, KeepsTheNoiseThatHidesBandsInTheSky) {
+  for (const char* name : {"film.mp4", "film.webm"}) {
+    const std::string film = folder_ / name;
+    ASSERT_EQ(taut({"render", scene_, "--no-frames", "--size", "1280x720", "--film", film, "--set",
+                    "world.duration=0.3"})
+                  .status,
+              0);
+    const double run = mean_run(film);
+    EXPECT_GT(run, 1.0) << name;
+    EXPECT_LT(run, 8.0) << name;
+  }
+}
+
 TEST_F(FilmTest, OfEverySecondFrameKeepsItsSpeed) {
   const std::string film = folder_ / "film.mp4";
   ASSERT_EQ(render({"--film", film, "--frames", "1-30:2"}).status, 0);
