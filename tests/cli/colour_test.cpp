@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "program.h"
+#include "read_picture.h"
 
 namespace taut::testing {
 namespace {
@@ -55,6 +57,37 @@ TEST_F(ColourTest, LimitIsRefusedWhereThereAreNone) {
       EXPECT_EQ(folder_.entries(), 3U) << verb[0] << " wrote something";
     }
   EXPECT_EQ(taut({"check", limit_}).status, 2);
+}
+
+// Of two pictures side by side that show the same: how many pixels differ in the left lower part, and
+// elsewhere.
+struct Differing {
+  int in_corner = 0, elsewhere = 0;
+};
+Differing halves_differ(const Pixels& both) {
+  Differing found;
+  const int width = both.width / 2;
+  const auto pixel = [&](int x, int y) { return both.rgb.begin() + 3 * (y * both.width + x); };
+  for (int y = 0; y < both.height; ++y)
+    for (int x = 2; x < width - 2; ++x) {  // but for the rule between them
+      if (std::equal(pixel(x, y), pixel(x, y) + 3, pixel(x + width, y))) continue;
+      ++(5 * x < 3 * width && 2 * y >= both.height ? found.in_corner : found.elsewhere);
+    }
+  return found;
+}
+
+TEST_F(ColourTest, PicturesSideBySideSayOnceWhatColoursMean) {
+  const Words same{"--set",        "world.gravity=[0, 0, 0]", "--colour", "strain", "--size", "320x180",
+                   "--no-captions"};
+  const std::string strip = folder_ / "strip.png", compared = folder_ / "compared";
+  ASSERT_EQ(run({"strip", plain_, "--count", "2", "-o", strip}, same).status, 0);
+  ASSERT_EQ(
+      run({"compare", plain_, "--methods", "xpbd,verlet", "--frames", "1", "-o", compared}, same).status, 0);
+  for (const std::string& picture : {strip, compared + "/frame-000001.png"}) {
+    const Differing found = halves_differ(read_picture(picture));
+    EXPECT_GT(found.in_corner, 500) << picture;
+    EXPECT_EQ(found.elsewhere, 0) << picture;
+  }
 }
 
 TEST_F(ColourTest, EveryOtherMethodHasTension) {

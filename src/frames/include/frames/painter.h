@@ -57,7 +57,8 @@ class Painter {
   void submit(const Geometry& geometry);
   /// The parts of the picture submitted first of those not fetched yet; flatten() lays them over each other.
   std::shared_ptr<const Layers> fetch();
-  /// All steps in one, when nothing is submitted.
+  /// All steps in one, when nothing is submitted; without what colours mean for one of several pictures that
+  /// share it.
   Image draw(const State& state, const Trails* trails = nullptr, bool with_legend = true);
 
   /// What draws (GlContext::description()).

@@ -22,8 +22,8 @@ struct SupportReach {
     Index mass;
     Reach reach;
   };
-  std::vector<Reach>
-      fixed;  ///< rails, brackets and the tops of poles and posts: those may be as high as they like
+  /// Rails, brackets and the tops of poles and posts: those may be as high as they like.
+  std::vector<Reach> fixed;
   std::vector<Carried> carried;
 };
 
