@@ -24,7 +24,6 @@ constexpr double margin_of_look_ahead = 0.10;
 // How far below the lowest mass a ground goes that would hide it, as a share of what there is to show.
 constexpr double ground_clearance = 0.04;
 constexpr double widest = 16.0 / 9.0;
-constexpr int turns_of_orbit = 48;  // in which what stands still is looked at
 
 // A ball that there is to show, and when (s).
 using Visit = std::function<void(const Vec3& place, double radius, double time)>;
@@ -51,25 +50,20 @@ std::vector<double> drawn_radii(const Model& model, const Look& look) {
   return radii;
 }
 
-void visit_corners(const Scene& scene, const Visit& visit) {
-  // An orbiting camera sees the box from all sides.
-  const int times = scene.camera.orbit == 0.0 ? 1 : turns_of_orbit;
-  const auto& [low, high] = *scene.camera.show;
+// What stands still: an orbiting camera sees it from all sides.
+void visit_standing(const Camera& camera, const Vec3& place, double radius, const Visit& visit) {
+  const int times = camera.orbit == 0.0 ? 1 : 48;
   for (int turn = 0; turn < times; ++turn)
-    for (int corner = 0; corner < 8; ++corner)
-      visit({(corner & 1) != 0 ? high.x() : low.x(), (corner & 2) != 0 ? high.y() : low.y(),
-             (corner & 4) != 0 ? high.z() : low.z()},
-            0.0, turn == 0 ? 0.0 : 360.0 / scene.camera.orbit * turn / times);
+    visit(place, radius, turn == 0 ? 0.0 : 360.0 / camera.orbit * turn / times);
 }
 
-// What holds pins and stands still: an orbiting camera sees it from all sides, one that follows a mass leaves
-// it behind.
-void visit_fixed(const Scene& scene, const std::vector<Reach>& fixed, const Visit& visit) {
-  if (!scene.camera.follow.empty()) return;
-  const int times = scene.camera.orbit == 0.0 ? 1 : turns_of_orbit;
-  for (const auto& [place, radius] : fixed)
-    for (int turn = 0; turn < times; ++turn)
-      visit(place, radius, turn == 0 ? 0.0 : 360.0 / scene.camera.orbit * turn / times);
+void visit_corners(const Camera& camera, const Visit& visit) {
+  const auto& [low, high] = *camera.show;
+  for (int corner = 0; corner < 8; ++corner)
+    visit_standing(camera,
+                   {(corner & 1) != 0 ? high.x() : low.x(), (corner & 2) != 0 ? high.y() : low.y(),
+                    (corner & 4) != 0 ? high.z() : low.z()},
+                   0.0, visit);
 }
 
 void visit_motion(const Scene& scene, const StopTest& stop, const Visit& visit) {
@@ -77,7 +71,8 @@ void visit_motion(const Scene& scene, const StopTest& stop, const Visit& visit) 
   const std::vector<bool> seen = masses_in_view(scene.model, scene.look);
   const SupportReach supports =
       reach_of_supports(scene.model, scene.start, scene.look, up_direction(scene.camera, scene.model));
-  visit_fixed(scene, supports.fixed, visit);
+  if (scene.camera.follow.empty())  // else they are left behind
+    for (const auto& [place, radius] : supports.fixed) visit_standing(scene.camera, place, radius, visit);
   look_ahead(scene, stop, [&](const State& state) {
     const Vec3 shift = displacement(scene.camera.follow, scene.model, scene.start, state);
     for (std::size_t i = 0; i < radii.size(); ++i)
@@ -114,7 +109,7 @@ Shown shown(const Scene& scene, double aspect, const StopTest& stop) {
     Box box;
     const auto add = [&](const Vec3& place, double radius, double) { box.add(place, radius); };
     if (camera.show)
-      visit_corners(scene, add);
+      visit_corners(camera, add);
     else
       add_start(scene, box);
     centre = box.middle();
@@ -133,7 +128,7 @@ Shown shown(const Scene& scene, double aspect, const StopTest& stop) {
     result.lowest = std::min(result.lowest, up.dot(place) - radius);
   };
   if (camera.show)
-    visit_corners(scene, add);
+    visit_corners(camera, add);
   else
     visit_motion(scene, stop, add);
   return result;

@@ -168,7 +168,7 @@ Image sag_sheet(const Scene& scene, const SagStudy& study, const PictureSettings
   posed.look.ground = false;
   posed.look.exact = false;  // drawn over the picture, below
   if (!colour_problem(scene).empty()) posed.look.colour_by = ColourBy::plain;
-  posed.camera = camera_for(scene, study, static_cast<double>(panel.width) / panel.height);
+  posed.camera = camera_for(posed, study, static_cast<double>(panel.width) / panel.height);
   const std::vector<Panel> panels = panels_of(study);
   const auto count = static_cast<int>(panels.size());
   const int columns = std::min(most_columns, count), rows = (count + columns - 1) / columns;

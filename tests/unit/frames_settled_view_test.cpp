@@ -24,18 +24,22 @@ Scene settled(Scene scene, Size size) {
   return scene;
 }
 
+// How far a place is from the edges of the picture, as a share of it; below 0: outside.
+double margin_of(const CameraPose& pose, Size size, const Vec3& place) {
+  const Vec3 at = picture_position(pose, size.width, size.height, place);
+  if (at.z() <= 0.0) return -1.0;
+  const double x = at.x() / size.width, y = at.y() / size.height;
+  return std::min({x, 1.0 - x, y, 1.0 - y});
+}
+
 // The least distance of a mass from an edge of the picture, as a share of it, in all of a scene's frames at
 // so many a second; below 0: outside.
 double least_margin(const Scene& scene, const std::vector<State>& states, Size size) {
   double least = 1.0;
   for (const State& state : states) {
     const CameraPose pose = camera_pose(scene.camera, scene.model, scene.start, state);
-    for (std::size_t i = 0; i < state.position.size(); ++i) {
-      const Vec3 at = picture_position(pose, size.width, size.height, state.position.at(i));
-      if (at.z() <= 0.0) return -1.0;
-      const double x = at.x() / size.width, y = at.y() / size.height;
-      least = std::min({least, x, 1.0 - x, y, 1.0 - y});
-    }
+    for (std::size_t i = 0; i < state.position.size(); ++i)
+      least = std::min(least, margin_of(pose, size, state.position.at(i)));
   }
   return least;
 }
@@ -65,21 +69,15 @@ INSTANTIATE_TEST_SUITE_P(SettledView, EveryScene, ::testing::ValuesIn(test::scen
                            return name;
                          });
 
-// How far what holds a scene's pins is from the edges of the picture, as a share of it; below 0: outside.
+// The same of what holds a scene's pins, at the start.
 double least_margin_of_supports(const Scene& scene, Size size) {
   const SupportReach supports =
       reach_of_supports(scene.model, scene.start, scene.look, up_direction(scene.camera, scene.model));
-  std::vector<Reach> all = supports.fixed;
-  for (const auto& [mass, reach] : supports.carried)
-    all.push_back({scene.start.position.at(mass) + reach.place, reach.radius});
   const CameraPose pose = camera_pose(scene.camera, scene.model, scene.start, scene.start);
   double least = 1.0;
-  for (const Reach& reach : all) {
-    const Vec3 at = picture_position(pose, size.width, size.height, reach.place);
-    if (at.z() <= 0.0) return -1.0;
-    const double x = at.x() / size.width, y = at.y() / size.height;
-    least = std::min({least, x, 1.0 - x, y, 1.0 - y});
-  }
+  for (const Reach& reach : supports.fixed) least = std::min(least, margin_of(pose, size, reach.place));
+  for (const auto& [mass, reach] : supports.carried)
+    least = std::min(least, margin_of(pose, size, scene.start.position.at(mass) + reach.place));
   return least;
 }
 

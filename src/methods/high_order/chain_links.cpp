@@ -112,7 +112,7 @@ std::unique_ptr<ChainMotion> make_chain_motion(const Model& model, const LinkSys
     block.inner_end = block.count;
   }
   chain.is_short = rows.size() == 1 && links.size() <= most_block_links;
-  if (chain.is_short) chain.whole = {0, chain.count, chain.back.back().mass - chain.middle, 1, chain.count};
+  if (chain.is_short) chain.whole = {0, chain.count, chain.back.back().mass - chain.middle, 0, 0};
   chain.coupling = couplings(links);
   chain.inverse_mass = model.masses.inverse_mass;
   chain.length = links.length;

@@ -72,6 +72,9 @@ HWY_INLINE void move_single(const ChainLinks& links, const PhaseSums& at, const 
   }
 }
 
+// So many multipliers are worked out before masses are moved that are so many links behind.
+constexpr std::size_t multipliers_at_once = 8, links_behind = 16;
+
 // The way out of one half: multipliers from the middle to its end, and masses some links behind them. Each
 // multiplier waits for the one before; masses are moved while they do.
 template <Wanted wanted, bool front>
@@ -93,13 +96,13 @@ class HalfSubstitution {
     const std::size_t passed = front ? i + 1 : i;
     arrays_.multiplier[i] = known_ = arrays_.multiplier[i] - arrays_.passed[passed] * known_;
   }
-  // Those of the masses between multipliers that are known which are `behind` links behind the last.
-  HWY_INLINE void move_masses_behind(std::size_t behind) {
-    if (done_ < behind) return;
+  // Those of the masses between multipliers that are known which are some links behind the last.
+  HWY_INLINE void move_masses_behind() {
+    if (done_ < links_behind) return;
     if (front)
-      move_down_to(std::max(block_.inner_begin, block_.count - done_ + 1 + behind));
+      move_down_to(std::max(block_.inner_begin, block_.count - done_ + 1 + links_behind));
     else
-      move_up_to(std::min(block_.inner_end, done_ - behind));
+      move_up_to(std::min(block_.inner_end, done_ - links_behind));
   }
   HWY_INLINE void end_block() {
     if (front)
@@ -131,15 +134,12 @@ class HalfSubstitution {
   std::size_t moved_ = 0;  // of its masses, from there on (front), or those before
 };
 
-// So many multipliers are worked out before masses that wait for some are moved; those are a few behind.
-constexpr std::size_t multipliers_at_once = 8, multipliers_ahead = 16;
-
 template <class... Halves>
 HWY_INLINE void substitute(std::size_t count, Halves&... halves) {
   std::size_t k = 0;
   for (; k + multipliers_at_once <= count; k += multipliers_at_once) {
     for (std::size_t i = 0; i < multipliers_at_once; ++i) (halves.substitute(), ...);
-    (halves.move_masses_behind(multipliers_ahead), ...);
+    (halves.move_masses_behind(), ...);
   }
   for (; k < count; ++k) (halves.substitute(), ...);
 }

@@ -38,7 +38,7 @@ struct ChainLinks {
   std::size_t middle = 0;               ///< what is before it is eliminated upwards, the rest downwards
   std::vector<ChainBlock> front, back;  ///< of both halves, from the ends to the middle
   bool is_short = false;                ///< one block of each half, and both beside each other:
-  ChainBlock whole;                     ///< both of them, if so
+  ChainBlock whole;                     ///< both of them, if so, for what moves no masses
   std::vector<double> coupling;         ///< ± 1/kg, [i] of links i − 1 and i; 0 at both ends
   std::vector<double> inverse_mass;     ///< 1/kg
   std::vector<double> length;           ///< m
