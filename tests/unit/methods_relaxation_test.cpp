@@ -3,37 +3,45 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <set>
+#include <tuple>
 
 #include "relax/relaxation.h"
 
 namespace taut {
 namespace {
 
-constexpr Index side = 40;
+constexpr Index rows = 40, columns = 45;
 
-// A sheet with diagonals whose masses are numbered and whose links are listed at random.
-Model shuffled_sheet(std::mt19937& random) {
-  std::vector<Index> number(side * side);
+enum class Listed { row_by_row, at_random };
+
+template <class T>
+void shuffle(std::vector<T>& values, std::mt19937& random) {
+  for (std::size_t i = values.size(); i > 1; --i) std::swap(values[i - 1], values[random() % i]);
+}
+
+// A sheet with diagonals and with links over one mass, some of whose masses are pinned. Masses are numbered
+// and links listed as sheets have them, or at random.
+Model sheet(Listed listed, std::mt19937& random) {
+  std::vector<Index> number(rows * columns);
   for (Index i = 0; i < number.size(); ++i) number[i] = i;
-  for (std::size_t i = number.size(); i > 1; --i) std::swap(number[i - 1], number[random() % i]);
+  if (listed == Listed::at_random) shuffle(number, random);
   std::vector<std::pair<Index, Index>> ends;
-  for (Index row = 0; row < side; ++row)
-    for (Index column = 0; column < side; ++column) {
-      const auto add = [&](Index other_row, Index other_column) {
-        if (other_row < side && other_column < side)
-          ends.emplace_back(number[row * side + column], number[other_row * side + other_column]);
-      };
-      add(row, column + 1);
-      add(row + 1, column);
-      add(row + 1, column + 1);
-      if (column > 0) add(row + 1, column - 1);
-    }
-  for (std::size_t i = ends.size(); i > 1; --i) std::swap(ends[i - 1], ends[random() % i]);
+  for (const auto& [down, right] : {std::pair(0, 1), {1, 0}, {1, 1}, {1, -1}, {0, 2}, {2, 0}})
+    for (int row = 0; row + down < static_cast<int>(rows); ++row)
+      for (int column = std::max(0, -right); column + std::max(0, right) < static_cast<int>(columns);
+           ++column) {
+        const auto place = [&](int of_row, int of_column) {
+          return number[static_cast<Index>(of_row) * columns + static_cast<Index>(of_column)];
+        };
+        ends.emplace_back(place(row, column), place(row + down, column + right));
+      }
+  if (listed == Listed::at_random) shuffle(ends, random);
   Model model;
-  for (Index i = 0; i < side * side; ++i) {
+  for (Index i = 0; i < rows * columns; ++i) {
     const bool pinned = i % 97 == 0;
     model.masses.name.push_back("m");
     model.masses.mass.push_back(1.0);
@@ -53,16 +61,17 @@ Model shuffled_sheet(std::mt19937& random) {
 }
 
 // Greedy colours in the order of the links, and a pass colour by colour.
-void plain_pass(const Model& model, Vectors& position) {
+void plain_pass(const Model& model, const State& state, Vectors& position) {
   std::vector<std::set<int>> used(model.masses.size());
   std::vector<int> colour;
   int colours = 0;
   for (std::size_t link = 0; link < model.links.size(); ++link) {
     const Index a = model.links.a[link], b = model.links.b[link];
     int free = 0;
-    while (used[a].contains(free) || used[b].contains(free)) ++free;
+    if (state.broken(static_cast<Index>(link))) free = -1;
+    while (free >= 0 && (used[a].contains(free) || used[b].contains(free))) ++free;
     for (const Index mass : {a, b})
-      if (!model.masses.pinned(mass)) used[mass].insert(free);
+      if (free >= 0 && !model.masses.pinned(mass)) used[mass].insert(free);
     colour.push_back(free);
     colours = std::max(colours, free + 1);
   }
@@ -80,30 +89,35 @@ void plain_pass(const Model& model, Vectors& position) {
     }
 }
 
-class AnyOrder : public ::testing::TestWithParam<int> {};
+class AnyOrder : public ::testing::TestWithParam<std::tuple<Listed, int>> {};
 
 TEST_P(AnyOrder, GivesTheBitsOfColourByColour) {
+  const auto [listed, threads] = GetParam();
   std::mt19937 random(3);
-  const Model model = shuffled_sheet(random);
+  const Model model = sheet(listed, random);
   State state;
   state.broken_at.assign(model.links.size(), infinity);
   const auto number = [&] { return static_cast<double>(random()) / 4294967296.0; };
-  for (Index i = 0; i < side * side; ++i) state.position.push_back({number(), number(), number()});
-  Relaxation<double> relaxation(model, {std::make_shared<Workers>(GetParam())});
+  for (Index i = 0; i < rows * columns; ++i) state.position.push_back({number(), number(), number()});
+  for (Index i = 0; i < rows * columns; i += 11) state.position.z[i] = -0.0;
+  Relaxation<double> relaxation(model, {std::make_shared<Workers>(threads)});
   relaxation.links_changed(state);
+  EXPECT_EQ(relaxation.layout(), listed == Listed::at_random ? Layout::packed : Layout::split);
   EXPECT_EQ(relaxation.size(), static_cast<std::int64_t>(solvable_links(model).size()));
+  for (Index link = 0; link < model.links.size(); link += 53) state.broken_at[link] = 0.0;
+  relaxation.links_changed(state);
   auto packed = relaxation.room(), start = packed;
   Vectors relaxed = state.position, expected = state.position;
   relaxation.load(relaxed, packed);
   relaxation.begin_step(1.0, 1.0);
   for (int pass = 0; pass < 2; ++pass) {
     EXPECT_TRUE(relaxation.pass(start, packed, {pass == 0, pass == 1}));
-    plain_pass(model, expected);
+    plain_pass(model, state, expected);
   }
   relaxation.give(packed, relaxed);
   EXPECT_EQ(relaxed, expected);
   // Wherever a mass is that is no longer a number, it is found.
-  for (Index mass = 0; mass < side * side; mass += 7) {
+  for (Index mass = 0; mass < rows * columns; mass += 7) {
     if (model.masses.pinned(mass)) continue;
     Vectors lost = state.position;
     lost.y[mass] = infinity;
@@ -112,7 +126,9 @@ TEST_P(AnyOrder, GivesTheBitsOfColourByColour) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Threads, AnyOrder, ::testing::Values(1, 2, 3, 8));
+INSTANTIATE_TEST_SUITE_P(Threads, AnyOrder,
+                         ::testing::Combine(::testing::Values(Listed::row_by_row, Listed::at_random),
+                                            ::testing::Values(1, 2, 3, 8)));
 
 }  // namespace
 }  // namespace taut

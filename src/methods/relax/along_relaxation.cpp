@@ -23,42 +23,42 @@ void AlongRelaxation::take_back() {
 
 double AlongRelaxation::continued(Index link, double scale) const {
   const std::size_t slot = slot_[link];
-  return 2.0 * (arrays_.multiplier[slot] * arrays_.length[slot] * scale) -
-         multiplier_before_[slot] * arrays_.length[slot] * scale;
+  return 2.0 * (arrays_.multiplier[slot] * lay_.length[slot] * scale) -
+         multiplier_before_[slot] * lay_.length[slot] * scale;
 }
 
 void AlongRelaxation::give_continued(double scale, std::vector<double>& continued,
                                      std::vector<double>& last) const {
-  for (std::size_t slot = 0; slot < visited_.size(); ++slot) {
-    const Index link = visited_[slot];
+  for (std::size_t slot = 0; slot < lay_.visited.size(); ++slot) {
+    const Index link = lay_.visited[slot];
     if (link == no_link) continue;
-    last[link] = arrays_.multiplier[slot] * arrays_.length[slot] * scale;
-    continued[link] = 2.0 * last[link] - multiplier_before_[slot] * arrays_.length[slot] * scale;
+    last[link] = arrays_.multiplier[slot] * lay_.length[slot] * scale;
+    continued[link] = 2.0 * last[link] - multiplier_before_[slot] * lay_.length[slot] * scale;
   }
 }
 
 AlongStart AlongRelaxation::pass_along(const Masses& start, Masses& position, PassPlace place, bool judged,
                                        const FreeMotion<double>* motion) {
   const LinkArrays<double> links = arrays();
-  found_.resize(sections_.size());
+  found_.resize(lay_.sections.size());
   std::atomic<bool> finite{true};
   const auto visit = [&](std::size_t i, const FreeMotion<double>* moving) {
     found_[i].lost.clear();
-    if (!relax_along_start(links, stretches_of(sections_[i]), start.data(), moving, sections_[i].masses,
-                           place, judged, position.data(), found_[i]))
+    if (!relax_along_start(lay_.layout, links, stretches_of(lay_.sections[i]), start.view(), moving,
+                           lay_.sections[i].masses, place, judged, position.view(), found_[i]))
       finite.store(false);
   };
-  const bool shared = sections_.size() > 1;
+  const bool shared = lay_.sections.size() > 1;
   if (shared) workers_->run([&](int part) { visit(static_cast<std::size_t>(part), motion); });
-  visit(sections_.size() - 1, shared ? nullptr : motion);
+  visit(lay_.sections.size() - 1, shared ? nullptr : motion);
   AlongStart result;
   result.finite = finite.load() && (!place.last || !shared || unsettled_are_finite(position));
   for (const AlongFound& each : found_) {
     result.worst = std::max(result.worst, each.worst);
     // The first one of the model, so that it is the same whatever the parts.
     for (const LostLink& lost : each.lost)
-      if (visited_[lost.slot] < result.lost_link) {
-        result.lost_link = visited_[lost.slot];
+      if (lay_.visited[lost.slot] < result.lost_link) {
+        result.lost_link = lay_.visited[lost.slot];
         result.lost_along = lost.along;
       }
   }

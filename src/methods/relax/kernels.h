@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "relax/packed.h"
+#include "relax/vector_room.h"
 
 namespace taut {
 
@@ -19,7 +19,9 @@ struct LinkStretch {
   std::size_t begin = 0, end = 0;
   std::size_t special = 0;  ///< place of its first link
   /// Where its ends begin among those of all stretches: one a link, or, where places go on by a stride
-  /// (bytes, not 0), one every links_at_once links.
+  /// (bytes, not 0), one every links_at_once links. Where masses are split, the only stride is from one mass
+  /// to the next, and slots may have no link, if their length is below 0: for kernels add nothing, ±0, to
+  /// what lies at their ends.
   std::size_t ends = 0, stride = 0;
   bool weighted = false;  ///< unequal masses, or a pin
   bool soft = false;      ///< with compliance
@@ -35,21 +37,20 @@ struct LinkStretch {
 /// Or `previous` holds the velocities themselves.
 template <class Real>
 struct FreeMotion {
-  const Packed<Real>* previous;
-  const Packed<Real>* present;
+  RoomView<const Real> previous, present;
   bool velocities;
   Real inverse_h;  // 1/s
   Real end_keep, keep, h;
   Packed<Real> end_gain, gain;  // m/s
 };
 
-/// Where a mass lies: bytes from the first.
+/// Bytes from the x of one mass to that of the next.
 template <class Real>
-constexpr std::uint32_t place_offset(std::size_t place) {
-  return static_cast<std::uint32_t>(place * sizeof(Packed<Real>));
+constexpr std::size_t bytes_between(Layout layout) {
+  return layout == Layout::packed ? sizeof(Packed<Real>) : sizeof(Real);
 }
 
-/// Where the end of a stretch's link lies, of its ends a or b.
+/// Where the end of a stretch's link lies, of its ends a or b: bytes from the first mass.
 template <class Real>
 std::uint32_t end_offset(const std::uint32_t* ends, const LinkStretch& stretch, std::size_t slot) {
   const std::size_t link = slot - stretch.begin;
@@ -63,7 +64,7 @@ std::uint32_t end_offset(const std::uint32_t* ends, const LinkStretch& stretch, 
 /// n: its share.
 template <class Real>
 struct LinkArrays {
-  const std::uint32_t *a, *b;  // place_offset() of the masses, as LinkStretch::ends has it
+  const std::uint32_t *a, *b;  // where the masses lie, bytes from the first, as LinkStretch::ends has it
   // One a slot.
   const Real* length;  // m
   Real* multiplier;    // λ
@@ -90,15 +91,15 @@ struct MassRange {
 
 /// One pass along the present directions over these stretches. `start` is read where links are damped. With a
 /// `motion` masses come to `position` by it. True when those to be looked at are finite in the end; they are
-/// only in the last pass.
+/// only in the last pass. All rooms have this layout.
 template <class Real>
-bool relax_along_present(const LinkArrays<Real>& links, std::span<const LinkStretch> stretches,
-                         const Packed<Real>* start, const FreeMotion<Real>* motion, const MassRange& masses,
-                         PassPlace place, Packed<Real>* position);
+bool relax_along_present(Layout layout, const LinkArrays<Real>& links, std::span<const LinkStretch> stretches,
+                         RoomView<const Real> start, const FreeMotion<Real>* motion, const MassRange& masses,
+                         PassPlace place, RoomView<Real> position);
 
 /// Whether the masses [begin, end) are finite.
 template <class Real>
-bool are_finite(const Packed<Real>* position, std::size_t begin, std::size_t end);
+bool are_finite(Layout layout, RoomView<const Real> position, std::size_t begin, std::size_t end);
 
 /// A link that has turned by 90° or more within a step, or is not finite.
 struct LostLink {
@@ -114,8 +115,9 @@ struct AlongFound {
 
 /// The same of rigid links along their directions at `start`. Lost links are left as they are, and added to
 /// those found.
-bool relax_along_start(const LinkArrays<double>& links, std::span<const LinkStretch> stretches,
-                       const Packed<double>* start, const FreeMotion<double>* motion, const MassRange& masses,
-                       PassPlace place, bool judged, Packed<double>* position, AlongFound& found);
+bool relax_along_start(Layout layout, const LinkArrays<double>& links, std::span<const LinkStretch> stretches,
+                       RoomView<const double> start, const FreeMotion<double>* motion,
+                       const MassRange& masses, PassPlace place, bool judged, RoomView<double> position,
+                       AlongFound& found);
 
 }  // namespace taut

@@ -11,9 +11,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include "inlined.h"
-#include "relax/packed.h"
+#include "relax/vector_room.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace taut::HWY_NAMESPACE {
@@ -37,39 +38,39 @@ struct Strided {
   HWY_INLINE std::size_t operator()(std::size_t i) const { return first + i * stride; }
 };
 
-template <class Real>
-HWY_INLINE Packed<Real>& at_offset(Packed<Real>* masses, std::size_t offset) {
-  return *reinterpret_cast<Packed<Real>*>(reinterpret_cast<char*>(masses) + offset);
-}
-template <class Real>
-HWY_INLINE const Packed<Real>& at_offset(const Packed<Real>* masses, std::size_t offset) {
-  return *reinterpret_cast<const Packed<Real>*>(reinterpret_cast<const char*>(masses) + offset);
+template <class Number>
+HWY_INLINE Number* at_offset(Number* first, std::size_t bytes) {
+  using Byte = std::conditional_t<std::is_const_v<Number>, const char, char>;
+  return reinterpret_cast<Number*>(reinterpret_cast<Byte*>(first) + bytes);
 }
 
-template <class Real>
+// Of masses whose four numbers lie side by side.
+template <class Number>
 struct Lanes;
 
 #if HWY_TARGET == HWY_SCALAR
 
 // One link at a time.
-template <class Real>
+template <class Number>
 struct Lanes {
+  using Real = Number;
   using Tag = hn::FixedTag<Real, 1>;
   using V = hn::Vec<Tag>;
   using Rows = Transposed<V>;
+  static constexpr bool split = false;
   static constexpr std::size_t count = 1;
 
   template <class Places>
-  static HWY_INLINE Rows load(const Packed<Real>* masses, const Places& at) {
-    const Packed<Real>& mass = at_offset(masses, at(0));
-    return {hn::Load(Tag(), &mass.x), hn::Load(Tag(), &mass.y), hn::Load(Tag(), &mass.z)};
+  static HWY_INLINE Rows load(RoomView<const Real> masses, const Places& at) {
+    const Real* x = at_offset(masses.first, at(0));
+    return {hn::Load(Tag(), x), hn::Load(Tag(), x + 1), hn::Load(Tag(), x + 2)};
   }
   template <class Places>
-  static HWY_INLINE void store(const Rows& rows, Packed<Real>* masses, const Places& at) {
-    Packed<Real>& mass = at_offset(masses, at(0));
-    hn::Store(rows.x, Tag(), &mass.x);
-    hn::Store(rows.y, Tag(), &mass.y);
-    hn::Store(rows.z, Tag(), &mass.z);
+  static HWY_INLINE void store(const Rows& rows, RoomView<Real> masses, const Places& at) {
+    Real* x = at_offset(masses.first, at(0));
+    hn::Store(rows.x, Tag(), x);
+    hn::Store(rows.y, Tag(), x + 1);
+    hn::Store(rows.z, Tag(), x + 2);
   }
   static HWY_INLINE Rows minus(const Rows& a, const Rows& b) {
     return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
@@ -117,17 +118,20 @@ struct FourRows {
 
 template <>
 struct Lanes<double> : FourRows<hn::Vec<Doubles> > {
+  using Real = double;
   using Tag = Doubles;
+  static constexpr bool split = false;
   static constexpr std::size_t count = 4;
 
   template <class Places>
-  static HWY_INLINE Rows load(const Packed<double>* masses, const Places& at) {
-    const auto one = [&](std::size_t i) TAUT_INLINED { return hn::Load(Tag(), &at_offset(masses, at(i)).x); };
+  static HWY_INLINE Rows load(RoomView<const double> masses, const Places& at) {
+    const auto one = [&](std::size_t i)
+                         TAUT_INLINED { return hn::Load(Tag(), at_offset(masses.first, at(i))); };
     return {{one(0), one(1), one(2), one(3)}};
   }
   template <class Places>
-  static HWY_INLINE void store(const Rows& rows, Packed<double>* masses, const Places& at) {
-    for (std::size_t i = 0; i < 4; ++i) hn::Store(rows.link[i], Tag(), &at_offset(masses, at(i)).x);
+  static HWY_INLINE void store(const Rows& rows, RoomView<double> masses, const Places& at) {
+    for (std::size_t i = 0; i < 4; ++i) hn::Store(rows.link[i], Tag(), at_offset(masses.first, at(i)));
   }
   static HWY_INLINE Transposed<V> transposed(const Rows& d) {
     const V xz01 = hn::InterleaveLower(Tag(), d.link[0], d.link[1]),
@@ -152,24 +156,27 @@ struct Lanes<double> : FourRows<hn::Vec<Doubles> > {
 
 template <>
 struct Lanes<double> {
+  using Real = double;
   using Tag = Doubles;
   using V = hn::Vec<Tag>;
   struct Rows {
     V xy[2], z[2];  // z and nothing
   };
+  static constexpr bool split = false;
   static constexpr std::size_t count = 2;
 
   template <class Places>
-  static HWY_INLINE Rows load(const Packed<double>* masses, const Places& at) {
-    const Packed<double>&first = at_offset(masses, at(0)), &second = at_offset(masses, at(1));
-    return {{hn::Load(Tag(), &first.x), hn::Load(Tag(), &second.x)},
-            {hn::Load(Tag(), &first.z), hn::Load(Tag(), &second.z)}};
+  static HWY_INLINE Rows load(RoomView<const double> masses, const Places& at) {
+    const double *first = at_offset(masses.first, at(0)), *second = at_offset(masses.first, at(1));
+    return {{hn::Load(Tag(), first), hn::Load(Tag(), second)},
+            {hn::Load(Tag(), first + 2), hn::Load(Tag(), second + 2)}};
   }
   template <class Places>
-  static HWY_INLINE void store(const Rows& rows, Packed<double>* masses, const Places& at) {
+  static HWY_INLINE void store(const Rows& rows, RoomView<double> masses, const Places& at) {
     for (std::size_t i = 0; i < 2; ++i) {
-      hn::Store(rows.xy[i], Tag(), &at_offset(masses, at(i)).x);
-      hn::Store(rows.z[i], Tag(), &at_offset(masses, at(i)).z);
+      double* x = at_offset(masses.first, at(i));
+      hn::Store(rows.xy[i], Tag(), x);
+      hn::Store(rows.z[i], Tag(), x + 2);
     }
   }
   static HWY_INLINE Rows minus(const Rows& a, const Rows& b) {
@@ -197,33 +204,35 @@ struct Lanes<double> {
 // A row is of a link and, where vectors are wide, of the one four places on.
 template <>
 struct Lanes<float> : FourRows<hn::Vec<Singles> > {
+  using Real = float;
   using Tag = Singles;
   using Mass = hn::FixedTag<float, 4>;
   using Pairs = hn::RepartitionToWide<Tag>;
+  static constexpr bool split = false;
   static constexpr std::size_t count = hn::MaxLanes(Tag());
 
-  static HWY_INLINE V load_row(const Packed<float>& low, [[maybe_unused]] const Packed<float>& high) {
+  static HWY_INLINE V load_row(const float* low, [[maybe_unused]] const float* high) {
 #if HWY_MAX_BYTES >= 32
-    return hn::Combine(Tag(), hn::Load(Mass(), &high.x), hn::Load(Mass(), &low.x));
+    return hn::Combine(Tag(), hn::Load(Mass(), high), hn::Load(Mass(), low));
 #else
-    return hn::Load(Mass(), &low.x);
+    return hn::Load(Mass(), low);
 #endif
   }
   template <class Places>
-  static HWY_INLINE Rows load(const Packed<float>* masses, const Places& at) {
+  static HWY_INLINE Rows load(RoomView<const float> masses, const Places& at) {
     const auto one = [&](std::size_t i) TAUT_INLINED {
-      return load_row(at_offset(masses, at(i)), at_offset(masses, at((i + 4) % count)));
+      return load_row(at_offset(masses.first, at(i)), at_offset(masses.first, at((i + 4) % count)));
     };
     return {{one(0), one(1), one(2), one(3)}};
   }
   template <class Places>
-  static HWY_INLINE void store(const Rows& rows, Packed<float>* masses, const Places& at) {
+  static HWY_INLINE void store(const Rows& rows, RoomView<float> masses, const Places& at) {
     for (std::size_t i = 0; i < 4; ++i) {
 #if HWY_MAX_BYTES >= 32
-      hn::Store(hn::LowerHalf(rows.link[i]), Mass(), &at_offset(masses, at(i)).x);
-      hn::Store(hn::UpperHalf(Mass(), rows.link[i]), Mass(), &at_offset(masses, at(i + 4)).x);
+      hn::Store(hn::LowerHalf(rows.link[i]), Mass(), at_offset(masses.first, at(i)));
+      hn::Store(hn::UpperHalf(Mass(), rows.link[i]), Mass(), at_offset(masses.first, at(i + 4)));
 #else
-      hn::Store(rows.link[i], Mass(), &at_offset(masses, at(i)).x);
+      hn::Store(rows.link[i], Mass(), at_offset(masses.first, at(i)));
 #endif
     }
   }

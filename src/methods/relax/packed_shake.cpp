@@ -124,6 +124,7 @@ class PackedShake final : public Stepper {
     const FieldKick end = end_kick();
     Vec3 twice_kinetic = Vec3::Zero(), moment = Vec3::Zero();
     for (std::size_t place = 0; place < links_.free_masses().size(); ++place) {
+      if (links_.free_masses()[place] == empty_place) continue;
       const double mass = model_.masses.mass[links_.free_masses()[place]];
       twice_kinetic += mass * velocity_at_place(place, end).cwiseAbs2();
       moment += mass * at(present_, place);
@@ -162,7 +163,8 @@ class PackedShake final : public Stepper {
   FieldKick end_kick() const { return field_kick(model_, 0.5 * at_.h, DragAt::end); }
   static Packed<double> packed_gain(const Vec3& gain) { return {gain.x(), gain.y(), gain.z(), 0.0}; }
   static Vec3 at(const Masses& masses, std::size_t place) {
-    return {masses[place].x, masses[place].y, masses[place].z};
+    const Packed<double> vector = masses.at(place);
+    return {vector.x, vector.y, vector.z};
   }
   Vec3 velocity_at_place(std::size_t place, const FieldKick& end) const {
     return ((at(present_, place) - at(previous_, place)) * (1.0 / at_.h)) * end.keep + end.gain;
@@ -172,9 +174,15 @@ class PackedShake final : public Stepper {
   void move(double h, Masses& moved, StepReport& report) {
     const FieldKick end = end_kick();
     const FieldKick begun = field_kick(model_, 0.5 * h, DragAt::start);
-    const FreeMotion<double> motion{
-        previous_.data(),      present_.data(),        at_.velocities, 1.0 / at_.h, end.keep, begun.keep, h,
-        packed_gain(end.gain), packed_gain(begun.gain)};
+    const FreeMotion<double> motion{std::as_const(previous_).view(),
+                                    std::as_const(present_).view(),
+                                    at_.velocities,
+                                    1.0 / at_.h,
+                                    end.keep,
+                                    begun.keep,
+                                    h,
+                                    packed_gain(end.gain),
+                                    packed_gain(begun.gain)};
     links_.load_pins(state_.position, moved);
     links_.begin_step(1.0, 1.0);
     for (int made = 0; made < passes_; ++made) {

@@ -35,7 +35,15 @@ class PackedStepper final : public Stepper {
   StepReport step(double h, double end_time) override {
     if (!packed_) pack();
     const bool whole = kicks_ == Kicks::whole;
-    FreeMotion<Real> motion{previous_.data(), present_.data(), velocities_, {}, Real(1), {}, {}, {}, {}};
+    FreeMotion<Real> motion{std::as_const(previous_).view(),
+                            std::as_const(present_).view(),
+                            velocities_,
+                            {},
+                            Real(1),
+                            {},
+                            {},
+                            {},
+                            {}};
     motion.inverse_h = static_cast<Real>(1.0 / last_h_);
     motion.h = static_cast<Real>(h);
     set_kick(whole ? h : 0.5 * h, motion.keep, motion.gain);
@@ -93,7 +101,7 @@ class PackedStepper final : public Stepper {
     const Real inverse_h = static_cast<Real>(1.0 / last_h_);
     for (const Index mass : watched_.masses) {
       if (model_.masses.pinned(mass)) continue;
-      const Packed<Real>&now = present_[links_.place(mass)], &before = previous_[links_.place(mass)];
+      const Packed<Real> now = present_.at(links_.place(mass)), before = previous_.at(links_.place(mass));
       state_.position.set(mass, Vec3(now.x, now.y, now.z));
       state_.velocity.set(mass, Vec3((now.x - before.x) * inverse_h, (now.y - before.y) * inverse_h,
                                      (now.z - before.z) * inverse_h));

@@ -1,14 +1,11 @@
 #include "relax/relaxation.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
-#include <map>
 #include <utility>
 
 #include "model/parts.h"
 #include "relax/visit_order.h"
-#include "relax/visit_parts.h"
 
 namespace taut {
 namespace {
@@ -23,12 +20,16 @@ double common_weight(const Model& model) {
 
 template <class Real>
 Packed<Real> packed(const Vectors& vectors, Index i) {
-  return {static_cast<Real>(vectors.x[i]), static_cast<Real>(vectors.y[i]), static_cast<Real>(vectors.z[i]),
-          Real(0)};
+  // No −0, which stays as it is only as long as nothing is added.
+  constexpr Real nothing = 0;
+  return {static_cast<Real>(vectors.x[i]) + nothing, static_cast<Real>(vectors.y[i]) + nothing,
+          static_cast<Real>(vectors.z[i]) + nothing, nothing};
 }
 
 // Below that, waiting for each other takes longer than the work.
 constexpr std::size_t fewest_to_share = 4000;
+// And these are done before it matters how their masses lie.
+constexpr std::size_t fewest_to_split = 256;
 
 }  // namespace
 
@@ -41,165 +42,32 @@ void Relaxation<Real>::links_changed(const State& state) {
   links_.clear();
   for (const Index link : solvable_links(model_))
     if (!state.broken(link) && (visits_ == Visits::all || model_.links.rigid(link))) links_.push_back(link);
-  // Where masses lie matters to the caches alone: breaks need not change it.
-  if (room_.empty()) masses_ = mass_order(model_, links_);
-  const VisitOrder order = visit_order(model_, links_, masses_);
-  place_.assign(model_.masses.size(), 0);
-  for (std::size_t i = 0; i < masses_.size(); ++i) place_[masses_[i]] = static_cast<Index>(i);
-  room_.assign(masses_.size(), {});
-  pin_ends_.clear();
-  visited_.clear();
-  special_.clear();
-  stretches_.clear();
-  arrays_ = {};
-  sections_.clear();
-  const bool shared = workers_ && links_.size() >= fewest_to_share;
-  const VisitParts parts = share_out(model_, order, shared ? static_cast<std::size_t>(workers_->count()) : 1);
-  for (const VisitParts::Part& part : parts.parts)
-    add_section(part.runs, {part.begin, part.end, part.settled_begin, part.settled_end});
-  if (parts.parts.size() > 1) add_section(parts.rest, {});
+  lay_out();
   slot_.assign(model_.links.size(), 0);
-  for (std::size_t slot = 0; slot < visited_.size(); ++slot)
-    if (visited_[slot] != no_link) slot_[visited_[slot]] = static_cast<std::uint32_t>(slot);
-  arrays_.multiplier.assign(visited_.size(), Real(0));
+  for (std::size_t slot = 0; slot < lay_.visited.size(); ++slot)
+    if (lay_.visited[slot] != no_link) slot_[lay_.visited[slot]] = static_cast<std::uint32_t>(slot);
+  arrays_ = {};
+  arrays_.multiplier.assign(lay_.visited.size(), Real(0));
   multiplier_before_ = arrays_.multiplier;
   for (auto* values : {&arrays_.factor, &arrays_.share_a, &arrays_.share_b, &arrays_.scaled, &arrays_.gamma})
-    values->assign(special_.size(), Real(0));
+    values->assign(lay_.special.size(), Real(0));
   settled_h_ = settled_answer_ = 0;
 }
 
-// Apart by what they lack, so that each kind pays for no more than it has.
+// How masses lie matters to the time alone: breaks need not change it.
 template <class Real>
-void Relaxation<Real>::add_run(const std::vector<Index>& run) {
-  std::array<std::vector<Index>, 6> kinds;
-  const auto kind_of = [&](Index link) {
-    const Links& links = model_.links;
-    const bool weighted = model_.masses.inverse_mass[links.a[link]] != equal_weight_ ||
-                          model_.masses.inverse_mass[links.b[link]] != equal_weight_;
-    const std::size_t softness = links.rigid(link) ? 0 : links.damping[link] > 0.0 ? 2 : 1;
-    return 2 * softness + (weighted ? 1 : 0);
+void Relaxation<Real>::lay_out() {
+  const bool shared = workers_ && links_.size() >= fewest_to_share;
+  const auto try_out = [&](Layout layout, std::vector<Index> masses) {
+    lay_ = lay_out_links<Real>(model_, visit_order(model_, links_, std::move(masses)), layout, equal_weight_,
+                               shared ? static_cast<std::size_t>(workers_->count()) : 1);
   };
-  for (const Index link : run) kinds[kind_of(link)].push_back(link);
-  for (std::size_t kind = 0; kind < kinds.size(); ++kind)
-    if (!kinds[kind].empty()) {
-      LinkStretch stretch;
-      stretch.weighted = kind % 2 != 0;
-      stretch.soft = kind >= 2;
-      stretch.damped = kind >= 4;
-      if (!stretch.weighted) add_strided(kinds[kind], stretch);
-      if (!kinds[kind].empty()) add_stretch(kinds[kind], stretch);
-    }
-}
-
-// The distance in bytes at which the ends of so many links as a kernel takes at once follow each other; 0
-// where they don't.
-template <class Real>
-std::size_t Relaxation<Real>::stride_of(const Index* links) const {
-  const auto a = [&](std::size_t i) { return std::ptrdiff_t{place_[model_.links.a[links[i]]]}; };
-  const auto b = [&](std::size_t i) { return std::ptrdiff_t{place_[model_.links.b[links[i]]]}; };
-  const std::ptrdiff_t stride = a(1) - a(0);
-  if (stride <= 0) return 0;
-  for (std::size_t i = 1; i < links_at_once<Real>; ++i)
-    if (a(i) - a(i - 1) != stride || b(i) - b(i - 1) != stride) return 0;
-  return static_cast<std::size_t>(stride) * sizeof(Packed<Real>);
-}
-
-// Takes out of some links between free masses those that lie at equal distances, as in rows of sheets and in
-// chains, and makes stretches of them.
-template <class Real>
-void Relaxation<Real>::add_strided(std::vector<Index>& links, const LinkStretch& kind) {
-  constexpr std::size_t fewest = 4 * links_at_once<Real>;
-  std::map<std::size_t, std::vector<Index>> by_stride;
-  for (std::size_t i = 0; i < links.size();) {
-    const std::size_t stride = i + links_at_once<Real> <= links.size() ? stride_of(&links[i]) : 0;
-    const std::size_t count = stride == 0 ? 1 : links_at_once<Real>;
-    by_stride[stride].insert(by_stride[stride].end(), &links[i], &links[i] + count);
-    i += count;
+  if (!lay_.masses.empty()) return try_out(lay_.layout, std::move(lay_.masses));
+  if (links_.size() >= fewest_to_split && follow_each_other(model_, links_)) {
+    try_out(Layout::split, row_order(model_, links_, links_at_once<Real>));
+    if (4 * lay_.adjoining >= 3 * links_.size()) return;
   }
-  links = std::move(by_stride[0]);
-  for (const auto& [stride, strided] : by_stride) {
-    if (stride == 0) continue;
-    if (strided.size() < fewest) {
-      links.insert(links.end(), strided.begin(), strided.end());
-      continue;
-    }
-    LinkStretch stretch = kind;
-    stretch.stride = stride;
-    add_stretch(strided, stretch);
-  }
-}
-
-template <class Real>
-void Relaxation<Real>::add_stretch(const std::vector<Index>& links, LinkStretch stretch) {
-  stretch.begin = visited_.size();
-  stretch.special = special_.size();
-  stretch.ends = arrays_.a.size();
-  const auto add_ends = [&](std::size_t a, std::size_t b) {
-    arrays_.a.push_back(place_offset<Real>(a));
-    arrays_.b.push_back(place_offset<Real>(b));
-  };
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    if (stretch.stride == 0 || i % links_at_once<Real> == 0)
-      add_ends(place_of(model_.links.a[links[i]]), place_of(model_.links.b[links[i]]));
-    add_slot(links[i], model_.links.length[links[i]], stretch);
-  }
-  if (visited_.size() % links_at_once<Real> != 0) {
-    // Filled up with links between two masses of the stretch's own that are one metre apart and stay so.
-    const std::size_t place = room_.size();
-    room_.resize(place + 2);
-    room_.back().x = Real(1);
-    while (visited_.size() % links_at_once<Real> != 0) {
-      add_ends(place, place + 1);
-      add_slot(no_link, 1.0, stretch);
-    }
-  }
-  stretch.end = visited_.size();
-  stretches_.push_back(stretch);
-}
-
-template <class Real>
-void Relaxation<Real>::add_slot(Index link, double length, const LinkStretch& stretch) {
-  arrays_.length.push_back(static_cast<Real>(length));
-  visited_.push_back(link);
-  if (stretch.weighted || stretch.soft) special_.push_back(link);
-}
-
-template <class Real>
-Index Relaxation<Real>::place_of(Index mass) {
-  if (!model_.masses.pinned(mass)) return place_[mass];
-  const auto place = static_cast<Index>(room_.size());
-  room_.push_back({});
-  pin_ends_.push_back({mass, place});
-  return place;
-}
-
-template <class Real>
-void Relaxation<Real>::add_section(const std::vector<std::vector<Index>>& runs, const MassRange& masses) {
-  const std::size_t begin = stretches_.size();
-  for (const std::vector<Index>& run : runs) add_run(run);
-  sections_.push_back({begin, stretches_.size(), masses});
-  find_reach(sections_.back());
-}
-
-// What each stretch of a section, and those before and after it, may touch of the free masses.
-template <class Real>
-void Relaxation<Real>::find_reach(const Section& section) {
-  std::size_t begun = section.masses.begin, done = section.masses.end;
-  const auto visit_free = [&](const LinkStretch& stretch, const auto& visit) {
-    for (std::size_t slot = stretch.begin; slot < stretch.end; ++slot)
-      for (const auto* ends : {arrays_.a.data(), arrays_.b.data()})
-        if (const std::size_t place = end_offset<Real>(ends, stretch, slot) / sizeof(Packed<Real>);
-            place < masses_.size())
-          visit(place);
-  };
-  for (std::size_t i = section.begin; i < section.end; ++i) {
-    visit_free(stretches_[i], [&](std::size_t place) { begun = std::max(begun, place + 1); });
-    stretches_[i].begun = begun;
-  }
-  for (std::size_t i = section.end; i-- > section.begin;) {
-    stretches_[i].done = done;
-    visit_free(stretches_[i], [&](std::size_t place) { done = std::min(done, place); });
-  }
+  try_out(Layout::packed, mass_order(model_, links_));
 }
 
 // What the formulas have of h, drag, weights and softness together.
@@ -208,9 +76,9 @@ void Relaxation<Real>::settle(Real h, Real answer) {
   if (h == settled_h_ && answer == settled_answer_) return;
   settled_h_ = h;
   settled_answer_ = answer;
-  for (std::size_t i = 0; i < special_.size(); ++i) {
-    if (special_[i] == no_link) continue;
-    const Index link = special_[i];
+  for (std::size_t i = 0; i < lay_.special.size(); ++i) {
+    if (lay_.special[i] == no_link) continue;
+    const Index link = lay_.special[i];
     const double step = static_cast<double>(h), moves = static_cast<double>(answer);
     const double move_a = moves * model_.masses.inverse_mass[model_.links.a[link]],
                  move_b = moves * model_.masses.inverse_mass[model_.links.b[link]];
@@ -228,9 +96,9 @@ void Relaxation<Real>::settle(Real h, Real answer) {
 template <class Real>
 LinkArrays<Real> Relaxation<Real>::arrays() {
   const double move = static_cast<double>(settled_answer_) * equal_weight_;
-  return {arrays_.a.data(),
-          arrays_.b.data(),
-          arrays_.length.data(),
+  return {lay_.a.data(),
+          lay_.b.data(),
+          lay_.length.data(),
           arrays_.multiplier.data(),
           static_cast<Real>(0.5 / move),
           arrays_.factor.data(),
@@ -247,8 +115,8 @@ void Relaxation<Real>::begin_step(Real h, Real answer) {
 }
 
 template <class Real>
-std::span<const LinkStretch> Relaxation<Real>::stretches_of(const Section& section) const {
-  return std::span(stretches_).subspan(section.begin, section.end - section.begin);
+std::span<const LinkStretch> Relaxation<Real>::stretches_of(const LinkSection& section) const {
+  return std::span(lay_.stretches).subspan(section.begin, section.end - section.begin);
 }
 
 template <class Real>
@@ -256,71 +124,76 @@ bool Relaxation<Real>::pass(const Masses& start, Masses& position, PassPlace pla
                             const FreeMotion<Real>* motion) {
   const LinkArrays<Real> links = arrays();
   const auto visit = [&](std::size_t i, const FreeMotion<Real>* moving) {
-    return relax_along_present<Real>(links, stretches_of(sections_[i]), start.data(), moving,
-                                     sections_[i].masses, place, position.data());
+    return relax_along_present<Real>(lay_.layout, links, stretches_of(lay_.sections[i]), start.view(), moving,
+                                     lay_.sections[i].masses, place, position.view());
   };
-  if (sections_.size() == 1) return visit(0, motion);
+  if (lay_.sections.size() == 1) return visit(0, motion);
   std::atomic<bool> finite{true};
   workers_->run([&](int part) {
     if (!visit(static_cast<std::size_t>(part), motion)) finite.store(false);
   });
-  visit(sections_.size() - 1, nullptr);
+  visit(lay_.sections.size() - 1, nullptr);
   return finite.load() && (!place.last || unsettled_are_finite(position));
 }
 
 template <class Real>
 bool Relaxation<Real>::unsettled_are_finite(const Masses& position) const {
   std::size_t begin = 0;
-  for (std::size_t i = 0; i + 1 < sections_.size(); ++i) {
-    if (!are_finite(position.data(), begin, sections_[i].masses.settled_begin)) return false;
-    begin = sections_[i].masses.settled_end;
+  for (std::size_t i = 0; i + 1 < lay_.sections.size(); ++i) {
+    if (!are_finite(lay_.layout, position.view(), begin, lay_.sections[i].masses.settled_begin)) return false;
+    begin = lay_.sections[i].masses.settled_end;
   }
-  return are_finite(position.data(), begin, masses_.size());
+  return are_finite(lay_.layout, position.view(), begin, lay_.masses.size());
 }
 
 template <class Real>
 void Relaxation<Real>::load(const Vectors& from, Masses& to) const {
-  for (std::size_t i = 0; i < masses_.size(); ++i) to[i] = packed<Real>(from, masses_[i]);
+  for (std::size_t i = 0; i < lay_.masses.size(); ++i)
+    if (lay_.masses[i] != empty_place) to.set(i, packed<Real>(from, lay_.masses[i]));
   load_pins(from, to);
 }
 
 template <class Real>
 void Relaxation<Real>::load_pins(const Vectors& from, Masses& to) const {
-  for (const PinEnd& end : pin_ends_) to[end.place] = packed<Real>(from, end.mass);
+  for (const auto& end : lay_.pin_ends) to.set(end.place, packed<Real>(from, end.mass));
 }
 
 template <class Real>
 void Relaxation<Real>::give(const Masses& from, Vectors& to) const {
-  for (std::size_t i = 0; i < masses_.size(); ++i) {
-    const Index mass = masses_[i];
-    to.x[mass] = static_cast<double>(from[i].x);
-    to.y[mass] = static_cast<double>(from[i].y);
-    to.z[mass] = static_cast<double>(from[i].z);
+  for (std::size_t i = 0; i < lay_.masses.size(); ++i) {
+    const Index mass = lay_.masses[i];
+    if (mass == empty_place) continue;
+    const Packed<Real> at = from.at(i);
+    to.x[mass] = static_cast<double>(at.x);
+    to.y[mass] = static_cast<double>(at.y);
+    to.z[mass] = static_cast<double>(at.z);
   }
 }
 
 template <class Real>
 void Relaxation<Real>::give_difference(const Masses& a, const Masses& b, Real factor, Vectors& to) const {
-  for (std::size_t i = 0; i < masses_.size(); ++i) {
-    const Index mass = masses_[i];
-    to.x[mass] = static_cast<double>((b[i].x - a[i].x) * factor);
-    to.y[mass] = static_cast<double>((b[i].y - a[i].y) * factor);
-    to.z[mass] = static_cast<double>((b[i].z - a[i].z) * factor);
+  for (std::size_t i = 0; i < lay_.masses.size(); ++i) {
+    const Index mass = lay_.masses[i];
+    if (mass == empty_place) continue;
+    const Packed<Real> at_a = a.at(i), at_b = b.at(i);
+    to.x[mass] = static_cast<double>((at_b.x - at_a.x) * factor);
+    to.y[mass] = static_cast<double>((at_b.y - at_a.y) * factor);
+    to.z[mass] = static_cast<double>((at_b.z - at_a.z) * factor);
   }
 }
 
 template <class Real>
 void Relaxation<Real>::give_multipliers(double scale, std::vector<double>& values) const {
-  for (std::size_t slot = 0; slot < visited_.size(); ++slot)
-    if (visited_[slot] != no_link)
-      values[visited_[slot]] = static_cast<double>(arrays_.multiplier[slot]) * scale;
+  for (std::size_t slot = 0; slot < lay_.visited.size(); ++slot)
+    if (lay_.visited[slot] != no_link)
+      values[lay_.visited[slot]] = static_cast<double>(arrays_.multiplier[slot]) * scale;
 }
 
 template <class Real>
 void Relaxation<Real>::give_multipliers_along(double scale, std::vector<double>& values) const {
-  for (std::size_t slot = 0; slot < visited_.size(); ++slot)
-    if (visited_[slot] != no_link)
-      values[visited_[slot]] = static_cast<double>(arrays_.multiplier[slot] * arrays_.length[slot]) * scale;
+  for (std::size_t slot = 0; slot < lay_.visited.size(); ++slot)
+    if (lay_.visited[slot] != no_link)
+      values[lay_.visited[slot]] = static_cast<double>(arrays_.multiplier[slot] * lay_.length[slot]) * scale;
 }
 
 template class Relaxation<double>;

@@ -11,7 +11,8 @@
 #include "model/model.h"
 #include "model/state.h"
 #include "relax/kernels.h"
-#include "relax/packed.h"
+#include "relax/link_layout.h"
+#include "relax/vector_room.h"
 
 namespace taut {
 
@@ -20,7 +21,7 @@ namespace taut {
 template <class Real>
 class Relaxation {
  public:
-  using Masses = std::vector<Packed<Real>>;
+  using Masses = VectorRoom<Real>;
 
   /// Whether links with stiffness are visited, too.
   enum class Visits { all, rigid };
@@ -34,10 +35,12 @@ class Relaxation {
   /// The links that are visited, in the order of the model.
   const std::vector<Index>& links() const { return links_; }
   std::int64_t size() const { return static_cast<std::int64_t>(links_.size()); }
+  /// How masses lie: split where links follow each other as those of a sheet do.
+  Layout layout() const { return lay_.layout; }
 
   /// Room for three-vectors of the masses as passes want them: the free ones first, in an order of their own,
   /// then what else there is.
-  Masses room() const { return room_; }
+  Masses room() const { return lay_.room(); }
   /// Vectors, one a mass of the model, rounded into such room, and those of the free masses back.
   void load(const Vectors& from, Masses& to) const;
   void load_pins(const Vectors& from, Masses& to) const;
@@ -60,9 +63,9 @@ class Relaxation {
   /// free masses come to `position` by it first. False when one is not finite, looked at in the last pass.
   bool pass(const Masses& start, Masses& position, PassPlace place, const FreeMotion<Real>* motion = nullptr);
 
-  /// The free masses in the order in which they lie in such room, and where one lies.
-  const std::vector<Index>& free_masses() const { return masses_; }
-  Index place(Index mass) const { return place_[mass]; }
+  /// The free masses in the order in which they lie in such room, with empty places, and where one lies.
+  const std::vector<Index>& free_masses() const { return lay_.masses; }
+  Index place(Index mass) const { return lay_.place[mass]; }
   /// λ of a link that is visited: the sum over the passes of the step.
   Real multiplier(Index link) const { return arrays_.multiplier[slot_[link]]; }
 
@@ -72,22 +75,14 @@ class Relaxation {
   void give_multipliers_along(double scale, std::vector<double>& values) const;
 
  protected:
-  // Stretches that one thread visits.
-  struct Section {
-    std::size_t begin, end;
-    MassRange masses;
-  };
-
   LinkArrays<Real> arrays();
-  std::span<const LinkStretch> stretches_of(const Section& section) const;
+  std::span<const LinkStretch> stretches_of(const LinkSection& section) const;
 
-  std::vector<Section> sections_;  // of the threads; where there are several, one more for the rest
+  LinkLayout<Real> lay_;
   std::shared_ptr<Workers> workers_;
-  std::vector<Index> visited_;  // link by slot; no_link where a stretch is filled up
 
   struct Arrays {
-    std::vector<std::uint32_t> a, b;                            // as LinkStretch::ends has it
-    std::vector<Real> length, multiplier;                       // one a slot
+    std::vector<Real> multiplier;                               // one a slot
     std::vector<Real> factor, share_a, share_b, scaled, gamma;  // one a special place
   };
   // Whether the masses around where two parts meet are.
@@ -98,31 +93,13 @@ class Relaxation {
   std::vector<std::uint32_t> slot_;      // of each link that is visited
 
  private:
-  // Where a mass lies beside its place among the free ones: a pin's end of one link.
-  struct PinEnd {
-    Index mass, place;
-  };
-
-  void add_run(const std::vector<Index>& run);
-  void add_stretch(const std::vector<Index>& links, LinkStretch stretch);
-  void add_strided(std::vector<Index>& links, const LinkStretch& kind);
-  void add_slot(Index link, double length, const LinkStretch& stretch);
-  std::size_t stride_of(const Index* links) const;
-  Index place_of(Index mass);
-  void add_section(const std::vector<std::vector<Index>>& runs, const MassRange& masses);
-  void find_reach(const Section& section);
+  void lay_out();
   void settle(Real h, Real answer);
 
   const Model& model_;
   Visits visits_;
-  double equal_weight_;           // w of all free masses; −1 where they differ
-  std::vector<Index> links_;      // in the order of the model
-  std::vector<Index> masses_;     // the free ones, by place
-  std::vector<Index> place_;      // of each free mass
-  std::vector<PinEnd> pin_ends_;  // a place for each link that ends in a pin: no two write to one
-  Masses room_;
-  std::vector<Index> special_;  // link by special place; no_link likewise
-  std::vector<LinkStretch> stretches_;
+  double equal_weight_;                      // w of all free masses; −1 where they differ
+  std::vector<Index> links_;                 // in the order of the model
   Real settled_h_ = 0, settled_answer_ = 0;  // what the arrays of special links hold for
 };
 

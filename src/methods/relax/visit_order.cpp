@@ -3,14 +3,17 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <unordered_map>
 #include <utility>
 
 namespace taut {
 namespace {
 
 // What stays in the cache nearest to a processor while the colours go over it.
-constexpr std::size_t masses_in_block = 512;
-constexpr std::size_t masses_in_cache = 1024;
+constexpr std::size_t masses_in_block = 2048;
+constexpr std::size_t masses_in_cache = 2048;
+// A longer row is taken as several.
+constexpr std::size_t masses_in_row = 1024;
 
 // Colours already used at each mass, as growing sets of bits.
 class ColoursUsed {
@@ -95,7 +98,8 @@ std::vector<Index> breadth_first(const Model& model, const std::vector<Index>& l
 // The place of each mass in an order; pins have none.
 std::vector<Index> places_in(const std::vector<Index>& order, std::size_t count) {
   std::vector<Index> place(count, 0);
-  for (std::size_t i = 0; i < order.size(); ++i) place[order[i]] = static_cast<Index>(i);
+  for (std::size_t i = 0; i < order.size(); ++i)
+    if (order[i] != empty_place) place[order[i]] = static_cast<Index>(i);
   return place;
 }
 
@@ -129,6 +133,47 @@ std::vector<Index> mass_order(const Model& model, const std::vector<Index>& link
   const bool nearer =
       spread(model, links, places_in(sought, count)) < spread(model, links, places_in(numbered, count));
   return nearer ? sought : numbered;
+}
+
+std::vector<Index> row_order(const Model& model, const std::vector<Index>& links, std::size_t width) {
+  const std::size_t count = model.masses.size();
+  std::vector<bool> linked_to_next(count, false), linked_over_one(count, false);
+  for (const Index link : links) {
+    const auto [low, high] = std::minmax(model.links.a[link], model.links.b[link]);
+    if (high - low == 1) linked_to_next[low] = true;
+    if (high - low == 2) linked_over_one[low] = true;
+  }
+  std::vector<Index> order;
+  for (std::size_t begin = 0; begin < count;) {
+    std::size_t end = begin + 1;
+    bool over_one = linked_over_one[begin];
+    for (; end < count && end - begin < masses_in_row && linked_to_next[end - 1]; ++end)
+      over_one = over_one || linked_over_one[end];
+    const std::size_t step = end - begin < 2 * width ? 1 : over_one ? 4 : 2;
+    for (std::size_t first = begin; first < begin + step; ++first) {
+      for (std::size_t mass = first; mass < end; mass += step)
+        if (!model.masses.pinned(mass))
+          order.push_back(static_cast<Index>(mass));
+        else if (step > 1)
+          order.push_back(empty_place);
+      while (step > 1 && order.size() % width != 0) order.push_back(empty_place);
+    }
+    begin = end;
+  }
+  return order;
+}
+
+bool follow_each_other(const Model& model, const std::vector<Index>& links) {
+  constexpr std::int64_t soon = 4;
+  std::unordered_map<std::int64_t, std::int64_t> last;  // first end of the last link of a kind
+  std::size_t following = 0;
+  for (const Index link : links) {
+    const std::int64_t a = model.links.a[link], b = model.links.b[link];
+    const auto [before, first] = last.try_emplace(b - a, a);
+    if (!first && a > before->second && a - before->second <= soon) ++following;
+    before->second = a;
+  }
+  return 4 * following >= 3 * links.size();
 }
 
 // A link is visited with the block of its lower mass, or with the last of the blocks of those links of

@@ -14,7 +14,7 @@ class Owners {
       : model_(model), owner_(model.masses.size(), of_the_rest) {
     for (std::size_t part = 0; part < parts.size(); ++part)
       for (std::size_t place = parts[part].begin; place < parts[part].end; ++place)
-        owner_[order.masses[place]] = part;
+        if (order.masses[place] != empty_place) owner_[order.masses[place]] = part;
   }
 
   std::size_t of(Index mass) const { return owner_[mass]; }
@@ -36,7 +36,9 @@ class Owners {
 
 // From the middle outwards, until a mass of the rest.
 void find_settled(const VisitOrder& order, const Owners& owners, VisitParts::Part& part) {
-  const auto rests = [&](std::size_t place) { return owners.of(order.masses[place]) == of_the_rest; };
+  const auto rests = [&](std::size_t place) {
+    return order.masses[place] != empty_place && owners.of(order.masses[place]) == of_the_rest;
+  };
   part.settled_begin = part.settled_end = part.begin + (part.end - part.begin) / 2;
   while (part.settled_begin > part.begin && !rests(part.settled_begin - 1)) --part.settled_begin;
   while (part.settled_end < part.end && !rests(part.settled_end)) ++part.settled_end;

@@ -1,0 +1,70 @@
+// Links side by side whose masses lie as all x, all y and all z: a vector holds the x of one end of each of
+// them as it lies, so that nothing has to be turned round. Masses that don't follow each other are gathered,
+// which is slow.
+
+#if defined(TAUT_RELAX_SPLIT_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef TAUT_RELAX_SPLIT_LANES_INL_H
+#undef TAUT_RELAX_SPLIT_LANES_INL_H
+#else
+#define TAUT_RELAX_SPLIT_LANES_INL_H
+#endif
+
+#include "relax/lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace taut::HWY_NAMESPACE {
+
+template <class Number>
+struct SplitLanes {
+  using Real = Number;
+  using Tag = typename Lanes<Real>::Tag;
+  using V = hn::Vec<Tag>;
+  using Rows = Transposed<V>;
+  static constexpr bool split = true;
+  static constexpr std::size_t count = Lanes<Real>::count;
+
+  static HWY_INLINE V load_all(const Real* first, const Strided& at) {
+    return hn::LoadU(Tag(), at_offset(first, at.first));
+  }
+  static HWY_INLINE V load_all(const Real* first, const Scattered& at) {
+    HWY_ALIGN Real values[count];
+    for (std::size_t i = 0; i < count; ++i) values[i] = *at_offset(first, at(i));
+    return hn::Load(Tag(), values);
+  }
+  static HWY_INLINE void store_all(V value, Real* first, const Strided& at) {
+    hn::StoreU(value, Tag(), at_offset(first, at.first));
+  }
+  static HWY_INLINE void store_all(V value, Real* first, const Scattered& at) {
+    HWY_ALIGN Real values[count];
+    hn::Store(value, Tag(), values);
+    for (std::size_t i = 0; i < count; ++i) *at_offset(first, at(i)) = values[i];
+  }
+
+  template <class Places>
+  static HWY_INLINE Rows load(RoomView<const Real> masses, const Places& at) {
+    const Real* x = masses.first;
+    return {load_all(x, at), load_all(x + masses.component, at), load_all(x + 2 * masses.component, at)};
+  }
+  template <class Places>
+  static HWY_INLINE void store(const Rows& rows, RoomView<Real> masses, const Places& at) {
+    Real* x = masses.first;
+    store_all(rows.x, x, at);
+    store_all(rows.y, x + masses.component, at);
+    store_all(rows.z, x + 2 * masses.component, at);
+  }
+  static HWY_INLINE Rows minus(const Rows& a, const Rows& b) {
+    return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+  }
+  static HWY_INLINE Rows plus(const Rows& a, const Rows& b) {
+    return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
+  }
+  static HWY_INLINE Transposed<V> transposed(const Rows& d) { return d; }
+  static HWY_INLINE Rows scaled(V factor, const Rows& d) {
+    return {hn::Mul(factor, d.x), hn::Mul(factor, d.y), hn::Mul(factor, d.z)};
+  }
+};
+
+}  // namespace taut::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
