@@ -14,6 +14,7 @@
 #include "methods/registry.h"
 #include "motion/run.h"
 #include "scenes_of_the_program.h"
+#include "study/speed.h"
 
 namespace taut::test {
 namespace {
@@ -139,16 +140,23 @@ TEST(PackedStep, ThatFailsLeavesTheStateBeforeIt) {
 
 // What a run does with a method whose steps can be taken back: steps of other lengths, back, loaded again,
 // and one that can't be made. Looked at now and then, for what isn't may not be worked out.
-TEST(PackedShake, GoesBackAndOnAsInTheOrderOfTheFile) {
-  const Scene scene = scene_called("chain-20");
-  Model loaded = scene.model;
+class PackedShake : public ::testing::TestWithParam<bool> {};
+
+TEST_P(PackedShake, GoesBackAndOnAsInTheOrderOfTheFile) {
+  const bool sheet = GetParam();
+  Built built;
+  if (sheet) built = build(square_sheet(19));
+  const Scene chain = scene_called("chain-20");
+  const Model& model = sheet ? built.model : chain.model;
+  const State& begun = sheet ? built.start : chain.start;
+  Model loaded = model;
   loaded.loads.push_back({{0}, Vec3::Zero(), 0.0, 0.0});
   const Settings settings = complete_settings({"shake", {}});
-  const auto packed = find_method("shake")->make(scene.model, settings, {}),
+  const auto packed = find_method("shake")->make(model, settings, {}),
              in_order = find_method("shake")->make(loaded, settings, {});
-  packed->load(scene.start);
-  in_order->load(scene.start);
-  double time = scene.start.time;
+  packed->load(begun);
+  in_order->load(begun);
+  double time = begun.time;
   const double whole = 1.0 / 2400.0;
   for (int i = 0; i < 60; ++i) {
     const double h = i % 13 == 9 ? 0.5 * whole : whole;
@@ -171,6 +179,9 @@ TEST(PackedShake, GoesBackAndOnAsInTheOrderOfTheFile) {
     ASSERT_EQ(left.tension_before, expected.tension_before) << i;
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Scenes, PackedShake, ::testing::Bool(),
+                         [](const auto& scene) { return scene.param ? "sheet" : "chain_20"; });
 
 TEST(SimdByName, AnUnknownOneIsRefusedWithTheKnownOnes) {
   const BestSimdAgain again;

@@ -149,7 +149,7 @@ bool Relaxation<Real>::unsettled_are_finite(const Masses& position) const {
 template <class Real>
 void Relaxation<Real>::load(const Vectors& from, Masses& to) const {
   for (std::size_t i = 0; i < lay_.masses.size(); ++i)
-    if (lay_.masses[i] != empty_place) to.set(i, packed<Real>(from, lay_.masses[i]));
+    to.set(i, lay_.masses[i] == empty_place ? Packed<Real>() : packed<Real>(from, lay_.masses[i]));
   load_pins(from, to);
 }
 

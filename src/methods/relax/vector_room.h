@@ -37,6 +37,7 @@ class VectorRoom {
     *x = vector.x;
     x[component_] = vector.y;
     x[2 * component_] = vector.z;
+    if (between_ > 1) x[3] = Real(0);
   }
 
   RoomView<Real> view() { return {numbers(), component_}; }
