@@ -202,7 +202,7 @@ double Run::energy_at_hand() const {
 // a few passes leave stretched hold a lot of elastic energy while nothing is amiss.
 bool Run::holds_together() {
   const double at_hand = energy_at_hand();
-  if (at_hand > 0.0 && energy(*model_, state()).kinetic > policy_.diverged_beyond * at_hand)
+  if (at_hand > 0.0 && energy_of_masses(*model_, state()).kinetic > policy_.diverged_beyond * at_hand)
     report_.end = RunEnd::diverged;
   return !ended();
 }
@@ -242,7 +242,7 @@ std::string Run::failure() const {
         "the run with method {} {} diverges: at t = {:.6g} s its masses move with {:.3g} times the scene's "
         "energy",
         settings_.method, pace_text(settings_), state().time,
-        energy(*model_, state()).kinetic / energy_at_hand());
+        energy_of_masses(*model_, state()).kinetic / energy_at_hand());
   std::string where;
   if (const Index link = report_.counts.worst_link; link != no_link)
     where = " at the link " + link_name(*model_, link);

@@ -34,7 +34,7 @@ void shuffle_links(Links& links) {
 void pass_over_a_sheet(benchmark::State& run, const char* name, const char* precision, int threads) {
   Built built = bench::build_valid(square_sheet(static_cast<int>(run.range(0))));
   if (run.range(1) != 0) shuffle_links(built.model.links);
-  constexpr double rate = 2400.0;
+  constexpr double rate = 9600.0;
   Settings how = bench::settings(name, rate);
   if (*precision != '\0') how.values["precision"] = std::string(precision);
   Run moving(built.model, built.start, complete_settings(how), {}, {std::make_shared<Workers>(threads)});

@@ -33,11 +33,7 @@ HWY_NOINLINE void relax_along(const LinkArrays<double>& all_links, const LinkStr
   const Ends<double, strided> a(links.a, stretch), b(links.b, stretch);
   [[maybe_unused]] const std::size_t special = stretch.special - stretch.begin;
   [[maybe_unused]] V worst = zero;
-  const auto correct = [&](std::size_t slot) TAUT_INLINED {
-    const auto at_a = a.at(slot), at_b = b.at(slot);
-    const Transposed<V> d0 = L::transposed(L::minus(L::load(start, at_a), L::load(start, at_b)));
-    const Transposed<V> d =
-        L::transposed(L::minus(L::load(read(position), at_a), L::load(read(position), at_b)));
+  const auto moves_of = [&](std::size_t slot, const Transposed<V>& d0, const Transposed<V>& d) TAUT_INLINED {
     const V length = hn::LoadU(tag, links.length + slot), square = hn::Mul(length, length);
     V along = dot(d, d0), excess = hn::Sub(dot(d, d), square);
     if constexpr (L::split && strided) {
@@ -62,13 +58,28 @@ HWY_NOINLINE void relax_along(const LinkArrays<double>& all_links, const LinkStr
     }
     return Moves<L>{hn::Mul(share_a, back), hn::Mul(share_b, back)};
   };
+  const auto between = [&](RoomView<const double> masses, std::size_t slot) TAUT_INLINED {
+    return L::minus(L::load(masses, a.at(slot)), L::load(masses, b.at(slot)));
+  };
+  const auto correct = [&](std::size_t slot) TAUT_INLINED {
+    return moves_of(slot, L::transposed(between(start, slot)), L::transposed(between(read(position), slot)));
+  };
   const auto move = [&](std::size_t slot, const Moves<L>& moves) TAUT_INLINED {
     const auto at_a = a.at(slot), at_b = b.at(slot);
-    move_links<L, weighted>(moves, L::minus(L::load(start, at_a), L::load(start, at_b)),
-                            L::load(read(position), at_a), L::load(read(position), at_b), at_a, at_b,
-                            position);
+    move_links<L, weighted>(moves, between(start, slot), L::load(read(position), at_a),
+                            L::load(read(position), at_b), at_a, at_b, position);
   };
-  for_each_group(stretch.begin, stretch.end, L::count, correct, move);
+  const auto correct_and_move = [&](std::size_t slot) TAUT_INLINED {
+    const auto at_a = a.at(slot), at_b = b.at(slot);
+    const auto on_a = L::load(read(position), at_a), on_b = L::load(read(position), at_b);
+    const auto d0 = between(start, slot);
+    const auto moves = moves_of(slot, L::transposed(d0), L::transposed(L::minus(on_a, on_b)));
+    move_links<L, weighted>(moves, d0, on_a, on_b, at_a, at_b, position);
+  };
+  if constexpr (L::split && strided)
+    for (std::size_t slot = stretch.begin; slot < stretch.end; slot += L::count) correct_and_move(slot);
+  else
+    for_each_group(stretch.begin, stretch.end, L::count, correct, move);
   if constexpr (judged) {
     double lanes[L::count];
     hn::StoreU(worst, tag, lanes);

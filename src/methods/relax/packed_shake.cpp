@@ -122,18 +122,36 @@ class PackedShake final : public Stepper {
   std::optional<double> energy() override {
     if (at_.velocities) return std::nullopt;
     const FieldKick end = end_kick();
-    Vec3 twice_kinetic = Vec3::Zero(), moment = Vec3::Zero();
-    for (std::size_t place = 0; place < links_.free_masses().size(); ++place) {
-      if (links_.free_masses()[place] == empty_place) continue;
-      const double mass = model_.masses.mass[links_.free_masses()[place]];
-      twice_kinetic += mass * velocity_at_place(place, end).cwiseAbs2();
-      moment += mass * at(present_, place);
-    }
-    return 0.5 * twice_kinetic.sum() - model_.gravity.dot(moment);
+    const bool split = links_.layout() == Layout::split;
+    double energy = 0.0;
+    for (int k = 0; k < 3; ++k)
+      energy +=
+          split ? energy_along<1>(k, end) : energy_along<sizeof(Packed<double>) / sizeof(double)>(k, end);
+    return energy;
   }
 
  private:
   using Masses = AlongRelaxation::Masses;
+
+  // Of motion and height along an axis. The x of masses lie so many numbers apart. Summed in parts, so that
+  // the compiler may work at several at once.
+  template <std::size_t apart>
+  double energy_along(int axis, const FieldKick& end) const {
+    constexpr std::size_t parts = 4;
+    const std::size_t first = static_cast<std::size_t>(axis) * present_.view().component;
+    const double *now = present_.view().first + first, *before = previous_.view().first + first;
+    const double inverse_h = 1.0 / at_.h, gain = end.gain[axis], height = -model_.gravity[axis];
+    std::array<double, parts> sums{};
+    const auto add = [&](std::size_t place, double& sum) {
+      const double x = now[place * apart], v = (x - before[place * apart]) * inverse_h * end.keep + gain;
+      sum += mass_at_place_[place] * (0.5 * v * v + height * x);
+    };
+    std::size_t place = 0;
+    for (; place + parts <= mass_at_place_.size(); place += parts)
+      for (std::size_t i = 0; i < parts; ++i) add(place + i, sums[i]);
+    for (; place < mass_at_place_.size(); ++place) add(place, sums[0]);
+    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+  }
 
   // Where steps have come to.
   struct Going {
@@ -152,6 +170,9 @@ class PackedShake final : public Stepper {
     if (std::exchange(links_changed_, false)) {
       links_.links_changed(state_);
       previous_ = present_ = next_ = probed_ = links_.room();
+      mass_at_place_.clear();
+      for (const Index mass : links_.free_masses())
+        mass_at_place_.push_back(mass == empty_place ? 0.0 : model_.masses.mass[mass]);
     }
     links_.load(state_.velocity, previous_);
     links_.load(state_.position, present_);
@@ -247,8 +268,9 @@ class PackedShake final : public Stepper {
   Going at_;
   Kept kept_;
   KeptPins pins_before_, pins_at_end_;
-  Masses previous_, present_, next_;  // the free masses before, now, and being made; or before that
-  Masses probed_;                     // at the end of a step that is not made
+  Masses previous_, present_, next_;   // the free masses before, now, and being made; or before that
+  Masses probed_;                      // at the end of a step that is not made
+  std::vector<double> mass_at_place_;  // kg
   std::vector<double> start_tension_, tension_kept_, tension_before_kept_;  // N
 };
 

@@ -135,11 +135,11 @@ HWY_NOINLINE void relax_present(const LinkArrays<typename L::Real>& all_links, c
     const auto d = L::minus(on_a, on_b);
     move_links<L, weighted>(moves_of(slot, L::transposed(d)), d, on_a, on_b, at_a, at_b, position);
   };
-  if constexpr (L::split && strided) {
+  // Those of a sheet without damping wait so briefly that loading their masses twice costs more.
+  if constexpr (L::split && strided && !damped)
     for (std::size_t slot = stretch.begin; slot < stretch.end; slot += L::count) correct_and_move(slot);
-    return;
-  }
-  for_each_group(stretch.begin, stretch.end, L::count, correct, move);
+  else
+    for_each_group(stretch.begin, stretch.end, L::count, correct, move);
 }
 
 template <class L, bool strided, bool weighted, bool first, class... Where>
