@@ -10,6 +10,7 @@
 
 #include "forces/forces.h"
 #include "relax/kept_pins.h"
+#include "relax/line_relaxation.h"
 #include "relax/relaxation.h"
 
 namespace taut {
@@ -20,8 +21,10 @@ Packed<Real> packed_gain(const Vec3& gain) {
   return {static_cast<Real>(gain.x()), static_cast<Real>(gain.y()), static_cast<Real>(gain.z()), Real(0)};
 }
 
-template <class Real>
+template <class LinkRelaxation>
 class PackedStepper final : public Stepper {
+  using Real = typename LinkRelaxation::Number;
+
  public:
   PackedStepper(const Model& model, int passes, Kicks kicks, const Execution& execution)
       : model_(model), passes_(passes), kicks_(kicks), links_(model, execution) {}
@@ -131,13 +134,13 @@ class PackedStepper final : public Stepper {
   const Model& model_;
   int passes_;
   Kicks kicks_;
-  Relaxation<Real> links_;
+  LinkRelaxation links_;
   State state_;  // of pins always, of all else where it isn't behind
   Watched watched_;
   bool links_changed_ = true, packed_ = false, behind_ = false;
   bool pins_finite_ = true;  // those that nothing drives
   KeptPins pins_before_;
-  typename Relaxation<Real>::Masses previous_, present_,
+  typename LinkRelaxation::Masses previous_, present_,
       next_;                                 // the free masses before, now, and being made
   bool velocities_ = false;                  // previous_ has them
   double last_h_ = 1.0, kick_before_ = 0.0;  // s
@@ -150,13 +153,17 @@ bool only_links(const Model& model) {
          model.faces.empty() && model.loads.empty() && !model.wind;
 }
 
-template <class Real>
+template <class LinkRelaxation>
 std::unique_ptr<Stepper> make_packed_stepper(const Model& model, int passes, Kicks kicks,
                                              const Execution& execution) {
-  return std::make_unique<PackedStepper<Real>>(model, passes, kicks, execution);
+  return std::make_unique<PackedStepper<LinkRelaxation>>(model, passes, kicks, execution);
 }
 
-template std::unique_ptr<Stepper> make_packed_stepper<double>(const Model&, int, Kicks, const Execution&);
-template std::unique_ptr<Stepper> make_packed_stepper<float>(const Model&, int, Kicks, const Execution&);
+template std::unique_ptr<Stepper> make_packed_stepper<Relaxation<double>>(const Model&, int, Kicks,
+                                                                          const Execution&);
+template std::unique_ptr<Stepper> make_packed_stepper<Relaxation<float>>(const Model&, int, Kicks,
+                                                                         const Execution&);
+template std::unique_ptr<Stepper> make_packed_stepper<LineRelaxation>(const Model&, int, Kicks,
+                                                                      const Execution&);
 
 }  // namespace taut

@@ -21,12 +21,6 @@ double common_weight(const Model& model) {
   return -1.0;
 }
 
-template <class Real>
-Packed<Real> packed(const Vectors& vectors, Index i) {
-  return {static_cast<Real>(vectors.x[i]), static_cast<Real>(vectors.y[i]), static_cast<Real>(vectors.z[i]),
-          Real(0)};
-}
-
 // Below that, waiting for each other takes longer than the work.
 constexpr std::size_t fewest_to_share = 4000;
 
@@ -34,20 +28,18 @@ constexpr std::size_t fewest_to_share = 4000;
 
 template <class Real>
 Relaxation<Real>::Relaxation(const Model& model, const Execution& execution, Visits visits)
-    : workers_(execution.workers), model_(model), visits_(visits), equal_weight_(common_weight(model)) {}
+    : MassPlaces<Real>(model),
+      workers_(execution.workers),
+      visits_(visits),
+      equal_weight_(common_weight(model)) {}
 
 template <class Real>
 void Relaxation<Real>::links_changed(const State& state) {
   links_.clear();
   for (const Index link : solvable_links(model_))
     if (!state.broken(link) && (visits_ == Visits::all || model_.links.rigid(link))) links_.push_back(link);
-  // Where masses lie matters to the caches alone: breaks need not change it.
-  if (room_.empty()) masses_ = mass_order(model_, links_);
+  this->give_places(links_);
   const VisitOrder order = visit_order(model_, links_, masses_);
-  place_.assign(model_.masses.size(), 0);
-  for (std::size_t i = 0; i < masses_.size(); ++i) place_[masses_[i]] = static_cast<Index>(i);
-  room_.assign(masses_.size(), {});
-  pin_ends_.clear();
   visited_.clear();
   special_.clear();
   stretches_.clear();
@@ -140,7 +132,7 @@ void Relaxation<Real>::add_stretch(const std::vector<Index>& links, LinkStretch 
   };
   for (std::size_t i = 0; i < links.size(); ++i) {
     if (stretch.stride == 0 || i % links_at_once<Real> == 0)
-      add_ends(place_of(model_.links.a[links[i]]), place_of(model_.links.b[links[i]]));
+      add_ends(this->place_of(model_.links.a[links[i]]), this->place_of(model_.links.b[links[i]]));
     add_slot(links[i], model_.links.length[links[i]], stretch);
   }
   if (visited_.size() % links_at_once<Real> != 0) {
@@ -162,15 +154,6 @@ void Relaxation<Real>::add_slot(Index link, double length, const LinkStretch& st
   arrays_.length.push_back(static_cast<Real>(length));
   visited_.push_back(link);
   if (stretch.weighted || stretch.soft) special_.push_back(link);
-}
-
-template <class Real>
-Index Relaxation<Real>::place_of(Index mass) {
-  if (!model_.masses.pinned(mass)) return place_[mass];
-  const auto place = static_cast<Index>(room_.size());
-  room_.push_back({});
-  pin_ends_.push_back({mass, place});
-  return place;
 }
 
 template <class Real>
@@ -276,37 +259,6 @@ bool Relaxation<Real>::unsettled_are_finite(const Masses& position) const {
     begin = sections_[i].masses.settled_end;
   }
   return are_finite(position.data(), begin, masses_.size());
-}
-
-template <class Real>
-void Relaxation<Real>::load(const Vectors& from, Masses& to) const {
-  for (std::size_t i = 0; i < masses_.size(); ++i) to[i] = packed<Real>(from, masses_[i]);
-  load_pins(from, to);
-}
-
-template <class Real>
-void Relaxation<Real>::load_pins(const Vectors& from, Masses& to) const {
-  for (const PinEnd& end : pin_ends_) to[end.place] = packed<Real>(from, end.mass);
-}
-
-template <class Real>
-void Relaxation<Real>::give(const Masses& from, Vectors& to) const {
-  for (std::size_t i = 0; i < masses_.size(); ++i) {
-    const Index mass = masses_[i];
-    to.x[mass] = static_cast<double>(from[i].x);
-    to.y[mass] = static_cast<double>(from[i].y);
-    to.z[mass] = static_cast<double>(from[i].z);
-  }
-}
-
-template <class Real>
-void Relaxation<Real>::give_difference(const Masses& a, const Masses& b, Real factor, Vectors& to) const {
-  for (std::size_t i = 0; i < masses_.size(); ++i) {
-    const Index mass = masses_[i];
-    to.x[mass] = static_cast<double>((b[i].x - a[i].x) * factor);
-    to.y[mass] = static_cast<double>((b[i].y - a[i].y) * factor);
-    to.z[mass] = static_cast<double>((b[i].z - a[i].z) * factor);
-  }
 }
 
 template <class Real>

@@ -11,6 +11,7 @@
 #include "model/model.h"
 #include "model/state.h"
 #include "relax/kernels.h"
+#include "relax/mass_places.h"
 #include "relax/packed.h"
 
 namespace taut {
@@ -18,9 +19,9 @@ namespace taut {
 /// The links that a relaxation pass visits, as data in the order of the visits (visit_order.h), and where the
 /// masses lie that it moves: what xpbd (Real: double or float), verlet and shake have in common.
 template <class Real>
-class Relaxation {
+class Relaxation : public MassPlaces<Real> {
  public:
-  using Masses = std::vector<Packed<Real>>;
+  using typename MassPlaces<Real>::Masses;
 
   /// Whether links with stiffness are visited, too.
   enum class Visits { all, rigid };
@@ -34,16 +35,6 @@ class Relaxation {
   /// The links that are visited, in the order of the model.
   const std::vector<Index>& links() const { return links_; }
   std::int64_t size() const { return static_cast<std::int64_t>(links_.size()); }
-
-  /// Room for three-vectors of the masses as passes want them: the free ones first, in an order of their own,
-  /// then what else there is.
-  Masses room() const { return room_; }
-  /// Vectors, one a mass of the model, rounded into such room, and those of the free masses back.
-  void load(const Vectors& from, Masses& to) const;
-  void load_pins(const Vectors& from, Masses& to) const;
-  void give(const Masses& from, Vectors& to) const;
-  /// to = (b − a)·factor, of the free masses.
-  void give_difference(const Masses& a, const Masses& b, Real factor, Vectors& to) const;
 
   /// Takes the multipliers back to those of the step before, where the passes of this one have failed.
   void take_back() { std::swap(arrays_.multiplier, multiplier_before_); }
@@ -60,9 +51,6 @@ class Relaxation {
   /// free masses come to `position` by it first. False when one is not finite, looked at in the last pass.
   bool pass(const Masses& start, Masses& position, PassPlace place, const FreeMotion<Real>* motion = nullptr);
 
-  /// The free masses in the order in which they lie in such room, and where one lies.
-  const std::vector<Index>& free_masses() const { return masses_; }
-  Index place(Index mass) const { return place_[mass]; }
   /// λ of a link that is visited: the sum over the passes of the step.
   Real multiplier(Index link) const { return arrays_.multiplier[slot_[link]]; }
 
@@ -72,6 +60,11 @@ class Relaxation {
   void give_multipliers_along(double scale, std::vector<double>& values) const;
 
  protected:
+  using MassPlaces<Real>::masses_;
+  using MassPlaces<Real>::model_;
+  using MassPlaces<Real>::place_;
+  using MassPlaces<Real>::room_;
+
   // Stretches that one thread visits.
   struct Section {
     std::size_t begin, end;
@@ -98,29 +91,18 @@ class Relaxation {
   std::vector<std::uint32_t> slot_;      // of each link that is visited
 
  private:
-  // Where a mass lies beside its place among the free ones: a pin's end of one link.
-  struct PinEnd {
-    Index mass, place;
-  };
-
   void add_run(const std::vector<Index>& run);
   void add_stretch(const std::vector<Index>& links, LinkStretch stretch);
   void add_strided(std::vector<Index>& links, const LinkStretch& kind);
   void add_slot(Index link, double length, const LinkStretch& stretch);
   std::size_t stride_of(const Index* links) const;
-  Index place_of(Index mass);
   void add_section(const std::vector<std::vector<Index>>& runs, const MassRange& masses);
   void find_reach(const Section& section);
   void settle(Real h, Real answer);
 
-  const Model& model_;
   Visits visits_;
-  double equal_weight_;           // w of all free masses; −1 where they differ
-  std::vector<Index> links_;      // in the order of the model
-  std::vector<Index> masses_;     // the free ones, by place
-  std::vector<Index> place_;      // of each free mass
-  std::vector<PinEnd> pin_ends_;  // a place for each link that ends in a pin: no two write to one
-  Masses room_;
+  double equal_weight_;         // w of all free masses; −1 where they differ
+  std::vector<Index> links_;    // in the order of the model
   std::vector<Index> special_;  // link by special place; no_link likewise
   std::vector<LinkStretch> stretches_;
   Real settled_h_ = 0, settled_answer_ = 0;  // what the arrays of special links hold for
