@@ -31,9 +31,9 @@ namespace taut::HWY_NAMESPACE {
 using LineLanes = Lanes<double>;
 using LineVector = LineLanes::V;
 
-// A straight line between two pins has one link more than its lengths are free to differ by, and its last
-// pivot is 0 but for rounding. So none is smaller than this share of its D.
-constexpr double smallest_pivot = 1e-3;
+// Pivots are above 0 but for rounding, and no share of D that is left of masses of such different weights can
+// be told from it.
+constexpr double smallest_pivot = 1e-14;
 
 HWY_INLINE LineVector along(const Transposed<LineVector>& a, const Transposed<LineVector>& b) {
   return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));

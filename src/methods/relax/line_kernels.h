@@ -27,7 +27,7 @@ struct LineArrays {
   const std::uint32_t* place;  // place_offset() of the mass
   const double* move;          // answer·w of the mass
   const double* length;        // m, of the link; 0 where there is none
-  const double* diagonal;      // answer (w_a + w_b) + α̃/(1 + γ); 1 where there is none
+  const double* diagonal;      // D, of the link; 1 where there is none
   double* multiplier;          // λ
   // One a special place.
   const double* scaled;  // α̃, of soft links

@@ -14,6 +14,9 @@ constexpr Index no_mass = std::numeric_limits<Index>::max();
 // Below that, waiting for each other takes longer than the work.
 constexpr std::size_t fewest_links_to_share = 4000;
 
+// By what share of itself the diagonal of a line between two pins is larger, divided by its links.
+constexpr double pinned_share = 1e-3;
+
 // What a line has, so that rigid ones pay for no more.
 std::size_t softness_of(const Model& model, std::span<const Index> links) {
   std::size_t softness = 0;
@@ -39,6 +42,7 @@ void LineRelaxation::links_changed(const State& state) {
   groups_.clear();
   begin_.clear();
   mass_.clear();
+  stiffening_.clear();
   visited_.clear();
   special_slot_.clear();
   place_offset_.clear();
@@ -100,6 +104,7 @@ void LineRelaxation::add_group(const LinkLines& lines, std::span<const Lane> lan
   group.special = special_slot_.size();
   const std::size_t end = group.begin + lines_at_once * group.rows;
   mass_.resize(end, no_mass);
+  stiffening_.resize(end, 1.0);
   visited_.resize(end, no_link);
   // Filled up with a mass of the group's own that has no links.
   place_offset_.resize(end, place_offset<double>(room_.size()));
@@ -113,10 +118,14 @@ void LineRelaxation::add_group(const LinkLines& lines, std::span<const Lane> lan
 void LineRelaxation::add_lane(const LinkLines& lines, const Lane& lane, std::size_t slot) {
   for (const LinkLine& line : lane.lines) {
     const std::span<const Index> links = lines.links_of(line), masses = lines.masses_of(line);
+    const bool between_pins = model_.masses.pinned(masses.front()) && model_.masses.pinned(masses.back());
+    const double stiffening =
+        between_pins && links.size() > 1 ? 1.0 + pinned_share / static_cast<double>(links.size()) : 1.0;
     for (std::size_t i = 0; i < masses.size(); ++i) {
       mass_[slot] = masses[i];
       place_offset_[slot] = place_offset<double>(place_of(masses[i]));
       if (i < links.size()) visited_[slot] = links[i];
+      stiffening_[slot] = stiffening;
       slot += lines_at_once;
     }
   }
@@ -145,7 +154,8 @@ void LineRelaxation::settle(double h, double answer) {
   for (std::size_t slot = 0; slot < mass_.size(); ++slot)
     if (mass_[slot] != no_mass) move_[slot] = answer * model_.masses.inverse_mass[mass_[slot]];
   for (std::size_t slot = 0; slot < visited_.size(); ++slot)
-    if (visited_[slot] != no_link) diagonal_[slot] = move_[slot] + move_[slot + lines_at_once];
+    if (visited_[slot] != no_link)
+      diagonal_[slot] = (move_[slot] + move_[slot + lines_at_once]) * stiffening_[slot];
   settle_special(h);
 }
 
@@ -157,7 +167,7 @@ void LineRelaxation::settle_special(double h) {
     scaled_[i] = compliance / (h * h);
     gamma_[i] = compliance * model_.links.damping[visited_[slot]] / h;
     damped_[i] = 1.0 / (1.0 + gamma_[i]);
-    diagonal_[slot] += scaled_[i] * damped_[i];
+    diagonal_[slot] += scaled_[i] * damped_[i] * stiffening_[slot];
   }
 }
 

@@ -46,6 +46,10 @@ class LineRelaxation final : public MassPlaces<double> {
   ///     = (l_i − |d_i| − α̃_i λ_i − γ_i n_i·(d_i − d_i⁰)) / (1 + γ_i)
   /// and then x_i ← x_i + answer w_i (Δλ_i n_i − Δλ_{i−1} n_{i−1}), λ_i ← λ_i + Δλ_i. Of a line of one link
   /// that is the formula of Relaxation::pass(), which has the parameters and the result, too.
+  /// A straight line of n links between two pins is as long as it is: no masses can be moved along it so that
+  /// all of its links come to their lengths, and the system is singular. So the first factor is larger by
+  /// 1/(1000 n) of itself in lines between pins: what can't be undone is spread over all links, and next to
+  /// straight lines don't leap sideways for it. What passes converge to is the same.
   bool pass(const Masses& start, Masses& position, PassPlace place,
             const FreeMotion<double>* motion = nullptr);
 
@@ -83,7 +87,7 @@ class LineRelaxation final : public MassPlaces<double> {
   // One a slot.
   std::vector<Index> mass_, visited_;  // no_mass and no_link where a lane is filled up
   std::vector<std::uint32_t> place_offset_;
-  std::vector<double> move_, length_, diagonal_, multiplier_, multiplier_before_;
+  std::vector<double> move_, length_, stiffening_, diagonal_, multiplier_, multiplier_before_;
   std::vector<std::size_t> special_slot_;  // by special place
   std::vector<double> scaled_, gamma_, damped_;
 

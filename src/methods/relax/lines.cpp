@@ -20,7 +20,7 @@ struct LinkOnWay {
 class LinkPairs {
  public:
   LinkPairs(const Model& model, const std::vector<Index>& links)
-      : links_(model.links), next_(model.links.size(), {no_link, no_link}) {
+      : links_(model.links), next_(model.links.size(), {no_link, no_link}), woven_(woven_links(model)) {
     std::vector<std::size_t> begin(model.masses.size() + 1, 0);
     for (const Index link : links) ++begin[links_.a[link] + 1], ++begin[links_.b[link] + 1];
     std::partial_sum(begin.begin(), begin.end(), begin.begin());
@@ -43,6 +43,13 @@ class LinkPairs {
   }
 
  private:
+  // Which links are of sheets with rows and columns.
+  static std::vector<bool> woven_links(const Model& model) {
+    std::vector<bool> woven(model.links.size(), false);
+    for (const Sheet& sheet : model.sheets)
+      if (!sheet.is_mesh()) std::fill_n(woven.begin() + sheet.first_link, sheet.link_count, true);
+    return woven;
+  }
   std::array<Index, 2> ends(Index link) const { return {links_.a[link], links_.b[link]}; }
   std::size_t end_at(Index link, Index mass) const { return links_.a[link] == mass ? 0 : 1; }
   bool paired(Index link, Index mass) const { return next_[link][end_at(link, mass)] != no_link; }
@@ -69,11 +76,13 @@ class LinkPairs {
     std::size_t count = 0;
     for (const Index link : around)
       if (!paired(link, mass) && count++ < left.size()) left[count - 1] = link;
-    if (count == left.size()) pair(left[0], left[1], mass);
+    // Round the corners of a sheet nothing goes on.
+    if (count == left.size() && !(woven_[left[0]] && woven_[left[1]])) pair(left[0], left[1], mass);
   }
 
   const Links& links_;
   std::vector<std::array<Index, 2>> next_;
+  std::vector<bool> woven_;
 };
 
 // Where the way that a link lies on begins, with its lowest link: at an end, or with that link where it is a

@@ -33,9 +33,9 @@ struct LinkLines {
 /// Lines that have each of these links in one of them. Which links go on into which follows from how masses
 /// are numbered, never from where they are. At each free mass b those pair up whose other ends are b − s and
 /// b + s: rows, columns and diagonals of sheets, and chains. Of a mass that has just two links left those go
-/// on into each other. Lines end at pins, a ring is cut ahead of its lowest link, and what comes back to one
-/// of its masses is cut before the link that does. Colours are given greedily in the order of the lines.
-/// `links`: rising.
+/// on into each other, but round no corner of a sheet of rows and columns. Lines end at pins, a ring is cut
+/// ahead of its lowest link, and what comes back to one of its masses is cut before the link that does.
+/// Colours are given greedily in the order of the lines. `links`: rising.
 LinkLines lines_of(const Model& model, const std::vector<Index>& links);
 
 }  // namespace taut
