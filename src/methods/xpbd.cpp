@@ -14,9 +14,10 @@
 // α = 0, and so no damping. The tension of a link is −λ/h². Links go colour by colour: in file order, one
 // pass a step without damping runs to infinity on a large sheet. With `relax` = "lines" those that follow
 // each other in rows, columns, diagonals and chains are solved together, line after line (line_relaxation.h):
-// where a pull has to come down a hung sheet or along a chain, one pass does what takes many link by link.
-// Limits on angles and contacts with solids follow the links in every pass; where one pushes, more passes may
-// follow (pass_control.h).
+// where a pull has to come down a hung sheet or along a chain, one pass does what takes many link by link. So
+// a tension is there in full, along n of before masses are put back: sideways vibrations of frequency ω grow
+// where h² ω² > 4/3 (test LineRelaxation.SidewaysVibrationsSetTheLongestStep). Limits on angles and contacts
+// with solids follow the links in every pass; where one pushes, more passes may follow (pass_control.h).
 
 #include <array>
 

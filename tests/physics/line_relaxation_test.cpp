@@ -1,8 +1,5 @@
 // xpbd with lines of links solved at once.
 
-#include <fmt/format.h>
-
-#include "base/failure.h"
 #include "fixtures.h"
 #include "model/measures.h"
 
@@ -143,6 +140,26 @@ TEST(LineRelaxation, ATipTenThousandTimesAsHeavyHangsOnAChain) {
     }
     EXPECT_LT(strain, 1e-9) << (from_the_pin ? "from the pin" : "from the tip");
   }
+}
+
+// Links push along where they point to before masses are put back, so a mass m that vibrates sideways between
+// two links of length l under a tension T, ω² = 2 T/(m l), moves by v ← v − h ω² (x + h v), x ← x + h v in a
+// step of one pass. Both eigenvalues of that are within the unit circle until h² ω² = 4/3.
+TEST(LineRelaxation, SidewaysVibrationsSetTheLongestStep) {
+  Description description = level_chain(2, 0.5);
+  description.chains[0].to = {0.0, -1.0, 0.0};
+  Built built = build_valid(description);
+  built.model.masses.mass[2] = 1e4;
+  built.model.masses.inverse_mass[2] = 1e-4;
+  built.start.position.x[1] = 1e-6;
+  const double longest = std::sqrt(4.0 / 3.0 / (2.0 * 1e4 * 9.81 / 0.5));
+  const auto sideways_after = [&](double share) {
+    taut::Run moving(built.model, built.start, relaxing("lines", 1.0 / (share * longest)));
+    for (int step = 0; step < 400; ++step) EXPECT_TRUE(moving.step()) << moving.failure();
+    return std::abs(moving.state().position.x[1]);
+  };
+  EXPECT_LT(sideways_after(0.97), 1e-9);
+  EXPECT_GT(sideways_after(1.03), 1e-5);
 }
 
 // The largest strain at the end of any frame of 1/60 s; infinite where the run ends early.
