@@ -20,6 +20,9 @@ bool relaxes(const Model& model, const Method& method) {
          (!springs_are_forces || has_rigid_links(model) || !model.limits.empty());
 }
 
+// How xpbd relaxes links is the scene's choice: charts and plans leave it at one by one.
+constexpr std::string_view left_at_default = "relax";
+
 // All combinations of a method's worded parameters, the method's default first.
 std::vector<MethodVariant> variants(const Model& model, const Method& method, std::size_t place) {
   MethodVariant plain;
@@ -34,7 +37,7 @@ std::vector<MethodVariant> variants(const Model& model, const Method& method, st
   if (relaxes(model, method)) plain.passes = ChartAxis{"passes", 1.0, 4.0, 5};
   std::vector<MethodVariant> curves{plain};
   for (const Param& param : method.params) {
-    if (param.choices.empty()) continue;
+    if (param.choices.empty() || param.name == left_at_default) continue;
     std::vector<MethodVariant> chosen;
     for (const MethodVariant& curve : curves)
       for (const std::string_view choice : param.choices) {

@@ -56,7 +56,7 @@ class ShakeStepper final : public SwappingStepper {
  private:
   void links_changed(const State& state) override {
     relaxation_.links_changed(state);
-    packed_ = packed_start_ = relaxation_.room();
+    packed_ = packed_start_ = relaxation_.places().room();
     passes_.links_changed(relaxation_.links());
     kicks_.links_changed(state);
     limits_.links_changed(state);
@@ -129,8 +129,8 @@ class ShakeStepper final : public SwappingStepper {
 
   bool relax(const Vectors& start, double h, StepReport& report) {
     relaxation_.begin_step(1.0, 1.0);
-    relaxation_.load(start, packed_start_);
-    relaxation_.load(position_, packed_);
+    relaxation_.places().load(start, packed_start_);
+    relaxation_.places().load(position_, packed_);
     const bool judged = tolerance_ > 0.0;
     for (int made = 0; passes_.another(made, limits_.pushed(), start, position_, h); ++made) {
       const AlongStart found = relaxation_.pass_along(packed_start_, packed_, {made == 0, false}, judged);
@@ -140,15 +140,15 @@ class ShakeStepper final : public SwappingStepper {
         return false;
       }
       if (limits_.size() > 0) {
-        relaxation_.give(packed_, position_);
+        relaxation_.places().give(packed_, position_);
         limits_.solve_along(start, position_, h, 1.0);
-        relaxation_.load(position_, packed_);
+        relaxation_.places().load(position_, packed_);
       }
       ++report.rounds;
       report.link_solves += relaxation_.size() + limits_.size();
       if (judged && found.worst <= tolerance_) break;
     }
-    relaxation_.give(packed_, position_);
+    relaxation_.places().give(packed_, position_);
     return true;
   }
 

@@ -2,6 +2,7 @@
 // damping, let go level, 5 s, by methods and steps per second, on one thread: hung by its top row, or by two
 // corners. five_seconds() has the counters.
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "frames.h"
@@ -24,11 +25,12 @@ Description hung_sheet(const std::vector<std::string>& pins) {
   return description;
 }
 
-void hung(benchmark::State& run, const char* method, const char* precision,
+// `choice`: of a parameter, where there is one, as name and word.
+void hung(benchmark::State& run, const char* method, const std::pair<const char*, const char*>& choice,
           const std::vector<std::string>& pins) {
   const Built built = bench::build_valid(hung_sheet(pins));
   Settings how = bench::settings(method, static_cast<double>(run.range(0)));
-  if (*precision != '\0') how.values["precision"] = std::string(precision);
+  if (*choice.first != '\0') how.values[choice.first] = std::string(choice.second);
   bench::five_seconds(run, built, complete_settings(how));
 }
 
@@ -37,10 +39,15 @@ void hung(benchmark::State& run, const char* method, const char* precision,
       ->ArgName("steps/s")                    \
       ->Unit(benchmark::kMillisecond)         \
       ->Iterations(1)
+const std::pair<const char*, const char*> as_usual{"", ""}, single{"precision", "single"},
+    lines{"relax", "lines"};
+
 // In single precision still shorter steps lose what gravity adds in one of them.
-HUNG_SHEET(by_the_top_row_xpbd, "xpbd", "", {"top"})->Arg(960)->Arg(3840)->Arg(7680)->Arg(15360);
-HUNG_SHEET(by_the_top_row_xpbd_single, "xpbd", "single", {"top"})->Arg(960)->Arg(3840)->Arg(7680);
-HUNG_SHEET(by_the_top_row_newton, "newton", "", {"top"})->Arg(60);
-HUNG_SHEET(by_two_corners_xpbd, "xpbd", "", {"top-left", "top-right"})->Arg(960)->Arg(7680)->Arg(30720);
+HUNG_SHEET(by_the_top_row_xpbd, "xpbd", as_usual, {"top"})->Arg(960)->Arg(3840)->Arg(7680)->Arg(15360);
+HUNG_SHEET(by_the_top_row_xpbd_single, "xpbd", single, {"top"})->Arg(960)->Arg(3840)->Arg(7680);
+HUNG_SHEET(by_the_top_row_xpbd_lines, "xpbd", lines, {"top"})->Arg(240)->Arg(480)->Arg(960);
+HUNG_SHEET(by_the_top_row_newton, "newton", as_usual, {"top"})->Arg(60);
+HUNG_SHEET(by_two_corners_xpbd, "xpbd", as_usual, {"top-left", "top-right"})->Arg(960)->Arg(7680)->Arg(30720);
+HUNG_SHEET(by_two_corners_xpbd_lines, "xpbd", lines, {"top-left", "top-right"})->Arg(960)->Arg(3840);
 
 }  // namespace

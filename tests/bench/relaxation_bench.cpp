@@ -31,12 +31,14 @@ void shuffle_links(Links& links) {
   }
 }
 
-void pass_over_a_sheet(benchmark::State& run, const char* name, const char* precision, int threads) {
+void pass_over_a_sheet(benchmark::State& run, const char* name, const char* precision, int threads,
+                       const char* relax = "") {
   Built built = bench::build_valid(square_sheet(static_cast<int>(run.range(0))));
   if (run.range(1) != 0) shuffle_links(built.model.links);
   constexpr double rate = 9600.0;
   Settings how = bench::settings(name, rate);
   if (*precision != '\0') how.values["precision"] = std::string(precision);
+  if (*relax != '\0') how.values["relax"] = std::string(relax);
   Run moving(built.model, built.start, complete_settings(how), {}, {std::make_shared<Workers>(threads)});
   moving.step();
   const std::int64_t before = moving.report().counts.link_solves;
@@ -53,6 +55,8 @@ void pass_over_a_sheet(benchmark::State& run, const char* name, const char* prec
       ->UseRealTime()
 PASS_OVER_A_SHEET(xpbd, "xpbd", "", 1);
 PASS_OVER_A_SHEET(xpbd_on_2_threads, "xpbd", "", 2);
+PASS_OVER_A_SHEET(xpbd_lines, "xpbd", "", 1, "lines");
+PASS_OVER_A_SHEET(xpbd_lines_on_2_threads, "xpbd", "", 2, "lines");
 PASS_OVER_A_SHEET(xpbd_single, "xpbd", "single", 1);
 PASS_OVER_A_SHEET(xpbd_single_on_2_threads, "xpbd", "single", 2);
 PASS_OVER_A_SHEET(verlet, "verlet", "", 1);

@@ -63,6 +63,9 @@ TEST(Resume, ThroughBreaks) {
     const taut::Run run = expect_resumable(built, settings(std::string(method.name), 1920.0), 960, 96);
     EXPECT_GT(broken_links(run.state()), 3U) << method.name;
   }
+  Settings lines = settings("xpbd", 1920.0);
+  lines.values["relax"] = std::string("lines");
+  EXPECT_GT(broken_links(expect_resumable(build_valid(description), lines, 960, 96).state()), 3U);
 }
 
 TEST(Resume, ThroughHalvings) {

@@ -43,6 +43,9 @@ std::vector<Settings> relaxations(const Scene& scene) {
       Settings settings{method, {{"passes", passes}}};
       all.push_back(complete_settings(settings));
       if (method != std::string("xpbd")) continue;
+      settings.values["relax"] = "lines";
+      all.push_back(complete_settings(settings));
+      settings.values["relax"] = "links";
       settings.values["precision"] = "single";
       all.push_back(complete_settings(settings));
     }

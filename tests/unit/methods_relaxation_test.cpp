@@ -102,26 +102,26 @@ TEST_P(AnyOrder, GivesTheBitsOfColourByColour) {
   for (Index i = 0; i < rows * columns; i += 11) state.position.z[i] = -0.0;
   Relaxation<double> relaxation(model, {std::make_shared<Workers>(threads)});
   relaxation.links_changed(state);
-  EXPECT_EQ(relaxation.layout(), listed == Listed::at_random ? Layout::packed : Layout::split);
+  EXPECT_EQ(relaxation.places().layout, listed == Listed::at_random ? Layout::packed : Layout::split);
   EXPECT_EQ(relaxation.size(), static_cast<std::int64_t>(solvable_links(model).size()));
   for (Index link = 0; link < model.links.size(); link += 53) state.broken_at[link] = 0.0;
   relaxation.links_changed(state);
-  auto packed = relaxation.room(), start = packed;
+  auto packed = relaxation.places().room(), start = packed;
   Vectors relaxed = state.position, expected = state.position;
-  relaxation.load(relaxed, packed);
+  relaxation.places().load(relaxed, packed);
   relaxation.begin_step(1.0, 1.0);
   for (int pass = 0; pass < 2; ++pass) {
     EXPECT_TRUE(relaxation.pass(start, packed, {pass == 0, pass == 1}));
     plain_pass(model, state, expected);
   }
-  relaxation.give(packed, relaxed);
+  relaxation.places().give(packed, relaxed);
   EXPECT_EQ(relaxed, expected);
   // Wherever a mass is that is no longer a number, it is found.
   for (Index mass = 0; mass < rows * columns; mass += 7) {
     if (model.masses.pinned(mass)) continue;
     Vectors lost = state.position;
     lost.y[mass] = infinity;
-    relaxation.load(lost, packed);
+    relaxation.places().load(lost, packed);
     EXPECT_FALSE(relaxation.pass(start, packed, {true, true})) << mass;
   }
 }

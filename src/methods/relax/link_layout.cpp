@@ -16,11 +16,7 @@ class LayingOut {
   LayingOut(const Model& model, const VisitOrder& order, Layout layout, double equal_weight)
       : model_(model), equal_weight_(equal_weight) {
     out_.layout = layout;
-    out_.masses = order.masses;
-    out_.places = order.masses.size();
-    out_.place.assign(model.masses.size(), 0);
-    for (std::size_t i = 0; i < order.masses.size(); ++i)
-      if (order.masses[i] != empty_place) out_.place[order.masses[i]] = static_cast<Index>(i);
+    out_.give_places(model, order.masses);
   }
 
   void add_section(const std::vector<VisitOrder::Run>& runs, const MassRange& masses) {
@@ -135,7 +131,8 @@ class LayingOut {
     stretch.ends = out_.a.size();
     for (std::size_t i = 0; i < links.size(); ++i) {
       if (stretch.stride == 0 || i % at_once == 0)
-        add_ends(place_of(model_.links.a[links[i]]), place_of(model_.links.b[links[i]]));
+        add_ends(out_.place_of(model_, model_.links.a[links[i]]),
+                 out_.place_of(model_, model_.links.b[links[i]]));
       add_slot(links[i], links[i] == no_link ? -1.0 : model_.links.length[links[i]], stretch);
       if (stretch.stride != 0 && links[i] != no_link) ++out_.adjoining;
     }
@@ -161,12 +158,6 @@ class LayingOut {
     out_.length.push_back(static_cast<Real>(length));
     out_.visited.push_back(link);
     if (stretch.weighted || stretch.soft) out_.special.push_back(link);
-  }
-
-  std::size_t place_of(Index mass) {
-    if (!model_.masses.pinned(mass)) return out_.place[mass];
-    out_.pin_ends.push_back({mass, static_cast<Index>(out_.places)});
-    return out_.places++;
   }
 
   // What each stretch of a section, and those before and after it, may touch of the free masses.
@@ -199,13 +190,6 @@ class LayingOut {
 }  // namespace
 
 template <class Real>
-VectorRoom<Real> LinkLayout<Real>::room() const {
-  VectorRoom<Real> room(places, layout);
-  for (const std::size_t first : fillers) room.set(first + 1, {Real(1), Real(0), Real(0), Real(0)});
-  return room;
-}
-
-template <class Real>
 LinkLayout<Real> lay_out_links(const Model& model, const VisitOrder& order, Layout layout,
                                double equal_weight, std::size_t threads) {
   LayingOut<Real> laying_out(model, order, layout, equal_weight);
@@ -216,8 +200,6 @@ LinkLayout<Real> lay_out_links(const Model& model, const VisitOrder& order, Layo
   return laying_out.result();
 }
 
-template struct LinkLayout<double>;
-template struct LinkLayout<float>;
 template LinkLayout<double> lay_out_links(const Model&, const VisitOrder&, Layout, double, std::size_t);
 template LinkLayout<float> lay_out_links(const Model&, const VisitOrder&, Layout, double, std::size_t);
 

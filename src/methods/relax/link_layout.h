@@ -6,6 +6,7 @@
 
 #include "model/model.h"
 #include "relax/kernels.h"
+#include "relax/mass_places.h"
 #include "relax/visit_order.h"
 
 namespace taut {
@@ -18,20 +19,7 @@ struct LinkSection {
 
 /// Where the links and the masses of a relaxation lie in memory, for kernels to go over them.
 template <class Real>
-struct LinkLayout {
-  /// Where a mass lies beside its place among the free ones: a pin's end of one link.
-  struct PinEnd {
-    Index mass, place;
-  };
-
-  Layout layout = Layout::packed;
-  std::vector<Index> masses;     ///< the free ones, by place; empty_place where there is none
-  std::vector<Index> place;      ///< of each free mass
-  std::vector<PinEnd> pin_ends;  ///< a place for each link that ends in a pin: no two write to one
-  /// First places of two masses each, one metre apart, between which links lie that fill up a stretch.
-  std::vector<std::size_t> fillers;
-  std::size_t places = 0;
-
+struct LinkLayout : MassPlaces<Real> {
   std::vector<LinkStretch> stretches;
   std::vector<LinkSection> sections;  ///< of the threads; where there are several, one more for the rest
   std::vector<std::uint32_t> a, b;    ///< ends, as LinkStretch::ends has it
@@ -39,9 +27,6 @@ struct LinkLayout {
   std::vector<Real> length;           ///< by slot (m)
   std::vector<Index> special;         ///< link by special place; no_link likewise
   std::size_t adjoining = 0;          ///< links in stretches with a stride
-
-  /// Room for a vector at each place.
-  VectorRoom<Real> room() const;
 };
 
 /// For these links, visited in this order, whose masses lie as it has them, shared among as many threads.
@@ -49,8 +34,5 @@ struct LinkLayout {
 template <class Real>
 LinkLayout<Real> lay_out_links(const Model& model, const VisitOrder& order, Layout layout,
                                double equal_weight, std::size_t threads);
-
-extern template struct LinkLayout<double>;
-extern template struct LinkLayout<float>;
 
 }  // namespace taut

@@ -85,11 +85,11 @@ class PackedShake final : public Stepper {
   const State& store() override {
     if (behind_) {
       behind_ = false;
-      links_.give(present_, state_.position);
+      links_.places().give(present_, state_.position);
       if (at_.velocities) {
-        links_.give(previous_, state_.velocity);
+        links_.places().give(previous_, state_.velocity);
       } else {
-        links_.give_difference(previous_, present_, 1.0 / at_.h, state_.velocity);
+        links_.places().give_difference(previous_, present_, 1.0 / at_.h, state_.velocity);
         place_pins(model_, state_.time, state_.position, state_.velocity);
         kick(model_, state_.time, 0.5 * at_.h, state_.velocity, state_.velocity);
       }
@@ -108,7 +108,7 @@ class PackedShake final : public Stepper {
     const FieldKick end = end_kick();
     for (const Index mass : watched_.masses) {
       if (model_.masses.pinned(mass)) continue;
-      const std::size_t place = links_.place(mass);
+      const std::size_t place = links_.places().place[mass];
       state_.position.set(mass, at(present_, place));
       state_.velocity.set(mass, velocity_at_place(place, end));
     }
@@ -122,7 +122,7 @@ class PackedShake final : public Stepper {
   std::optional<double> energy() override {
     if (at_.velocities) return std::nullopt;
     const FieldKick end = end_kick();
-    const bool split = links_.layout() == Layout::split;
+    const bool split = links_.places().layout == Layout::split;
     double energy = 0.0;
     for (int k = 0; k < 3; ++k)
       energy +=
@@ -169,14 +169,14 @@ class PackedShake final : public Stepper {
   void pack() {
     if (std::exchange(links_changed_, false)) {
       links_.links_changed(state_);
-      previous_ = present_ = next_ = probed_ = links_.room();
+      previous_ = present_ = next_ = probed_ = links_.places().room();
       mass_at_place_.clear();
-      for (const Index mass : links_.free_masses())
+      for (const Index mass : links_.places().masses)
         mass_at_place_.push_back(mass == empty_place ? 0.0 : model_.masses.mass[mass]);
     }
-    links_.load(state_.velocity, previous_);
-    links_.load(state_.position, present_);
-    links_.load(state_.position, next_);
+    links_.places().load(state_.velocity, previous_);
+    links_.places().load(state_.position, present_);
+    links_.places().load(state_.position, next_);
     packed_ = true;
     pins_finite_ = still_pins_are_finite(model_, state_);
   }
@@ -204,7 +204,7 @@ class PackedShake final : public Stepper {
                                     h,
                                     packed_gain(end.gain),
                                     packed_gain(begun.gain)};
-    links_.load_pins(state_.position, moved);
+    links_.places().load_pins(state_.position, moved);
     links_.begin_step(1.0, 1.0);
     for (int made = 0; made < passes_; ++made) {
       const AlongStart found = links_.pass_along(present_, moved, {made == 0, made == passes_ - 1}, false,

@@ -10,6 +10,7 @@
 
 #include "forces/forces.h"
 #include "relax/kept_pins.h"
+#include "relax/line_relaxation.h"
 #include "relax/relaxation.h"
 
 namespace taut {
@@ -20,8 +21,10 @@ Packed<Real> packed_gain(const Vec3& gain) {
   return {static_cast<Real>(gain.x()), static_cast<Real>(gain.y()), static_cast<Real>(gain.z()), Real(0)};
 }
 
-template <class Real>
+template <class LinkRelaxation>
 class PackedStepper final : public Stepper {
+  using Real = typename LinkRelaxation::Number;
+
  public:
   PackedStepper(const Model& model, int passes, Kicks kicks, const Execution& execution)
       : model_(model), passes_(passes), kicks_(kicks), links_(model, execution) {}
@@ -55,7 +58,7 @@ class PackedStepper final : public Stepper {
     }
     pins_before_.keep(model_, state_);
     place_pins(model_, end_time, state_.position, state_.velocity);
-    links_.load_pins(state_.position, next_);
+    links_.places().load_pins(state_.position, next_);
     links_.begin_step(motion.h, static_cast<Real>(whole ? 1.0 / (1.0 + h * model_.drag) : 1.0));
     bool finite = true;
     for (int made = 0; made < passes_; ++made)
@@ -84,8 +87,8 @@ class PackedStepper final : public Stepper {
   const State& store() override {
     if (!behind_) return state_;
     behind_ = false;
-    links_.give(present_, state_.position);
-    links_.give_difference(previous_, present_, static_cast<Real>(1.0 / last_h_), state_.velocity);
+    links_.places().give(present_, state_.position);
+    links_.places().give_difference(previous_, present_, static_cast<Real>(1.0 / last_h_), state_.velocity);
     if (kicks_ == Kicks::halves) {
       kick(model_, state_.time, 0.5 * last_h_, state_.velocity, state_.velocity);
       place_pins(model_, state_.time, state_.position, state_.velocity);
@@ -101,7 +104,8 @@ class PackedStepper final : public Stepper {
     const Real inverse_h = static_cast<Real>(1.0 / last_h_);
     for (const Index mass : watched_.masses) {
       if (model_.masses.pinned(mass)) continue;
-      const Packed<Real> now = present_.at(links_.place(mass)), before = previous_.at(links_.place(mass));
+      const Packed<Real> now = present_.at(links_.places().place[mass]),
+                         before = previous_.at(links_.places().place[mass]);
       state_.position.set(mass, Vec3(now.x, now.y, now.z));
       state_.velocity.set(mass, Vec3((now.x - before.x) * inverse_h, (now.y - before.y) * inverse_h,
                                      (now.z - before.z) * inverse_h));
@@ -117,11 +121,11 @@ class PackedStepper final : public Stepper {
   void pack() {
     if (std::exchange(links_changed_, false)) {
       links_.links_changed(state_);
-      previous_ = present_ = next_ = links_.room();
+      previous_ = present_ = next_ = links_.places().room();
     }
-    links_.load(state_.velocity, previous_);
-    links_.load(state_.position, present_);
-    links_.load(state_.position, next_);
+    links_.places().load(state_.velocity, previous_);
+    links_.places().load(state_.position, present_);
+    links_.places().load(state_.position, next_);
     packed_ = velocities_ = true;
     pins_finite_ = still_pins_are_finite(model_, state_);
   }
@@ -139,13 +143,13 @@ class PackedStepper final : public Stepper {
   const Model& model_;
   int passes_;
   Kicks kicks_;
-  Relaxation<Real> links_;
+  LinkRelaxation links_;
   State state_;  // of pins always, of all else where it isn't behind
   Watched watched_;
   bool links_changed_ = true, packed_ = false, behind_ = false;
   bool pins_finite_ = true;  // those that nothing drives
   KeptPins pins_before_;
-  typename Relaxation<Real>::Masses previous_, present_,
+  typename LinkRelaxation::Masses previous_, present_,
       next_;                                 // the free masses before, now, and being made
   bool velocities_ = false;                  // previous_ has them
   double last_h_ = 1.0, kick_before_ = 0.0;  // s
@@ -158,13 +162,17 @@ bool only_links(const Model& model) {
          model.faces.empty() && model.loads.empty() && !model.wind;
 }
 
-template <class Real>
+template <class LinkRelaxation>
 std::unique_ptr<Stepper> make_packed_stepper(const Model& model, int passes, Kicks kicks,
                                              const Execution& execution) {
-  return std::make_unique<PackedStepper<Real>>(model, passes, kicks, execution);
+  return std::make_unique<PackedStepper<LinkRelaxation>>(model, passes, kicks, execution);
 }
 
-template std::unique_ptr<Stepper> make_packed_stepper<double>(const Model&, int, Kicks, const Execution&);
-template std::unique_ptr<Stepper> make_packed_stepper<float>(const Model&, int, Kicks, const Execution&);
+template std::unique_ptr<Stepper> make_packed_stepper<Relaxation<double>>(const Model&, int, Kicks,
+                                                                          const Execution&);
+template std::unique_ptr<Stepper> make_packed_stepper<Relaxation<float>>(const Model&, int, Kicks,
+                                                                         const Execution&);
+template std::unique_ptr<Stepper> make_packed_stepper<LineRelaxation>(const Model&, int, Kicks,
+                                                                      const Execution&);
 
 }  // namespace taut

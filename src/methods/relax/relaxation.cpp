@@ -18,14 +18,6 @@ double common_weight(const Model& model) {
   return -1.0;
 }
 
-template <class Real>
-Packed<Real> packed(const Vectors& vectors, Index i) {
-  // No −0, which stays as it is only as long as nothing is added.
-  constexpr Real nothing = 0;
-  return {static_cast<Real>(vectors.x[i]) + nothing, static_cast<Real>(vectors.y[i]) + nothing,
-          static_cast<Real>(vectors.z[i]) + nothing, nothing};
-}
-
 // Below that, waiting for each other takes longer than the work.
 constexpr std::size_t fewest_to_share = 4000;
 // And these are done before it matters how their masses lie.
@@ -144,42 +136,6 @@ bool Relaxation<Real>::unsettled_are_finite(const Masses& position) const {
     begin = lay_.sections[i].masses.settled_end;
   }
   return are_finite(lay_.layout, position.view(), begin, lay_.masses.size());
-}
-
-template <class Real>
-void Relaxation<Real>::load(const Vectors& from, Masses& to) const {
-  for (std::size_t i = 0; i < lay_.masses.size(); ++i)
-    to.set(i, lay_.masses[i] == empty_place ? Packed<Real>() : packed<Real>(from, lay_.masses[i]));
-  load_pins(from, to);
-}
-
-template <class Real>
-void Relaxation<Real>::load_pins(const Vectors& from, Masses& to) const {
-  for (const auto& end : lay_.pin_ends) to.set(end.place, packed<Real>(from, end.mass));
-}
-
-template <class Real>
-void Relaxation<Real>::give(const Masses& from, Vectors& to) const {
-  for (std::size_t i = 0; i < lay_.masses.size(); ++i) {
-    const Index mass = lay_.masses[i];
-    if (mass == empty_place) continue;
-    const Packed<Real> at = from.at(i);
-    to.x[mass] = static_cast<double>(at.x);
-    to.y[mass] = static_cast<double>(at.y);
-    to.z[mass] = static_cast<double>(at.z);
-  }
-}
-
-template <class Real>
-void Relaxation<Real>::give_difference(const Masses& a, const Masses& b, Real factor, Vectors& to) const {
-  for (std::size_t i = 0; i < lay_.masses.size(); ++i) {
-    const Index mass = lay_.masses[i];
-    if (mass == empty_place) continue;
-    const Packed<Real> at_a = a.at(i), at_b = b.at(i);
-    to.x[mass] = static_cast<double>((at_b.x - at_a.x) * factor);
-    to.y[mass] = static_cast<double>((at_b.y - at_a.y) * factor);
-    to.z[mass] = static_cast<double>((at_b.z - at_a.z) * factor);
-  }
 }
 
 template <class Real>

@@ -21,6 +21,7 @@ namespace taut {
 template <class Real>
 class Relaxation {
  public:
+  using Number = Real;
   using Masses = VectorRoom<Real>;
 
   /// Whether links with stiffness are visited, too.
@@ -35,18 +36,8 @@ class Relaxation {
   /// The links that are visited, in the order of the model.
   const std::vector<Index>& links() const { return links_; }
   std::int64_t size() const { return static_cast<std::int64_t>(links_.size()); }
-  /// How masses lie: split where links follow each other as those of a sheet do.
-  Layout layout() const { return lay_.layout; }
-
-  /// Room for three-vectors of the masses as passes want them: the free ones first, in an order of their own,
-  /// then what else there is.
-  Masses room() const { return lay_.room(); }
-  /// Vectors, one a mass of the model, rounded into such room, and those of the free masses back.
-  void load(const Vectors& from, Masses& to) const;
-  void load_pins(const Vectors& from, Masses& to) const;
-  void give(const Masses& from, Vectors& to) const;
-  /// to = (b − a)·factor, of the free masses.
-  void give_difference(const Masses& a, const Masses& b, Real factor, Vectors& to) const;
+  /// Where its masses lie: split where links follow each other as those of a sheet do.
+  const MassPlaces<Real>& places() const { return lay_; }
 
   /// Takes the multipliers back to those of the step before, where the passes of this one have failed.
   void take_back() { std::swap(arrays_.multiplier, multiplier_before_); }
@@ -63,9 +54,6 @@ class Relaxation {
   /// free masses come to `position` by it first. False when one is not finite, looked at in the last pass.
   bool pass(const Masses& start, Masses& position, PassPlace place, const FreeMotion<Real>* motion = nullptr);
 
-  /// The free masses in the order in which they lie in such room, with empty places, and where one lies.
-  const std::vector<Index>& free_masses() const { return lay_.masses; }
-  Index place(Index mass) const { return lay_.place[mass]; }
   /// λ of a link that is visited: the sum over the passes of the step.
   Real multiplier(Index link) const { return arrays_.multiplier[slot_[link]]; }
 

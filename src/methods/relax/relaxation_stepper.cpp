@@ -6,6 +6,7 @@
 #include "contact/limits_and_contacts.h"
 #include "file_order_stepper.h"
 #include "forces/forces.h"
+#include "relax/line_relaxation.h"
 #include "relax/packed_stepper.h"
 #include "relax/pass_control.h"
 #include "relax/relaxation.h"
@@ -13,8 +14,10 @@
 namespace taut {
 namespace {
 
-template <class Real>
+template <class LinkRelaxation>
 class RelaxationStepper final : public FileOrderStepper {
+  using Real = typename LinkRelaxation::Number;
+
  public:
   RelaxationStepper(const Model& model, PassCounts passes, Kicks kicks, const Execution& execution)
       : model_(model),
@@ -29,7 +32,7 @@ class RelaxationStepper final : public FileOrderStepper {
     links_.links_changed(state);
     passes_.links_changed(links_.links());
     limits_and_contacts_.links_changed(state);
-    packed_start_ = packed_ = links_.room();
+    packed_start_ = packed_ = links_.places().room();
   }
 
   StepReport make_step(State& state, double h, double end_time) override {
@@ -76,18 +79,18 @@ class RelaxationStepper final : public FileOrderStepper {
   // Whether faces could be kept from passing through each other.
   bool relax(double h, double end_time, double answer, State& state, StepReport& report) {
     links_.begin_step(static_cast<Real>(h), static_cast<Real>(answer));
-    links_.load(start_, packed_start_);
-    links_.load(state.position, packed_);
+    links_.places().load(start_, packed_start_);
+    links_.places().load(state.position, packed_);
     limits_and_contacts_.begin_step(start_, state, end_time);
     int made = 0;
     for (; passes_.another(made, limits_and_contacts_.may_jump(), start_, state.position, h); ++made) {
       links_.pass(packed_start_, packed_, {made == 0, false});
       if (limits_and_contacts_.none()) continue;
-      links_.give(packed_, state.position);
+      links_.places().give(packed_, state.position);
       limits_and_contacts_.solve(h, answer, state.position);
-      links_.load(state.position, packed_);
+      links_.places().load(state.position, packed_);
     }
-    links_.give(packed_, state.position);
+    links_.places().give(packed_, state.position);
     report.rounds = made;
     report.link_solves = (links_.size() + limits_and_contacts_.size()) * made;
     return limits_and_contacts_.finish(state.position);
@@ -96,30 +99,35 @@ class RelaxationStepper final : public FileOrderStepper {
   const Model& model_;
   Kicks kicks_;
   PassControl passes_;
-  Relaxation<Real> links_;
+  LinkRelaxation links_;
   LimitsAndContacts limits_and_contacts_;
   JointResistance joints_;
   Vectors start_, velocity_;
-  typename Relaxation<Real>::Masses packed_start_, packed_;
+  typename LinkRelaxation::Masses packed_start_, packed_;
 };
 
-template <class Real>
+template <class LinkRelaxation>
 std::unique_ptr<Stepper> make(const Model& model, PassCounts passes, Kicks kicks,
                               const Execution& execution) {
-  if (only_links(model)) return make_packed_stepper<Real>(model, passes.ordinary, kicks, execution);
-  return std::make_unique<RelaxationStepper<Real>>(model, passes, kicks, execution);
+  if (only_links(model)) return make_packed_stepper<LinkRelaxation>(model, passes.ordinary, kicks, execution);
+  return std::make_unique<RelaxationStepper<LinkRelaxation>>(model, passes, kicks, execution);
 }
 
 }  // namespace
 
 std::unique_ptr<Stepper> make_relaxation_stepper(const Model& model, PassCounts passes, Kicks kicks,
                                                  const Execution& execution) {
-  return make<double>(model, passes, kicks, execution);
+  return make<Relaxation<double>>(model, passes, kicks, execution);
+}
+
+std::unique_ptr<Stepper> make_line_relaxation_stepper(const Model& model, PassCounts passes, Kicks kicks,
+                                                      const Execution& execution) {
+  return make<LineRelaxation>(model, passes, kicks, execution);
 }
 
 std::unique_ptr<Stepper> make_single_relaxation_stepper(const Model& model, PassCounts passes, Kicks kicks,
                                                         const Execution& execution) {
-  return make<float>(model, passes, kicks, execution);
+  return make<Relaxation<float>>(model, passes, kicks, execution);
 }
 
 }  // namespace taut
