@@ -117,6 +117,35 @@ TEST(LineRelaxation, ChainBetweenTwoPinsRestsInItsExactShape) {
   EXPECT_LT(wrong, 1e-3);
 }
 
+// Chains of rigid links, and of all kinds of links with drag, against the motion without any steps.
+TEST(LineRelaxation, ConvergesAtFirstOrder) {
+  for (const Description& description : {level_chain(20, 0.05), mixed_chain()}) {
+    const Built built = build_valid(description);
+    const State exact = accurately(built.model, built.start, {0.4}, 1e-10).front();
+    std::vector<double> steps, errors;
+    for (const double rate : {2400.0, 4800.0, 9600.0, 19200.0}) {
+      steps.push_back(1.0 / rate);
+      errors.push_back(position_error(run(built, relaxing("lines", rate), 0.4), exact));
+    }
+    EXPECT_NEAR(observed_order(steps, errors), 1.0, 0.1) << errors.front() << " … " << errors.back();
+    EXPECT_LT(errors.back(), 2e-3);
+  }
+}
+
+// Of a plumb chain at rest what is below a broken link falls, and what is above stays.
+TEST(LineRelaxation, ABrokenLinkHoldsNothing) {
+  Description description = level_chain(20, 0.05);
+  description.chains[0].to = {0.0, -1.0, 0.0};
+  Built built = build_valid(description);
+  built.start.broken_at[10] = 0.0;
+  const double time = 0.3;
+  const State end = run(built, relaxing("lines", 600.0), time);
+  for (Index mass = 0; mass < built.model.masses.size(); ++mass)
+    EXPECT_NEAR(end.velocity.y[mass], mass > 10 ? -9.81 * time : 0.0, 1e-9) << "mass " << mass;
+  EXPECT_EQ(end.tension[10], 0.0);
+  EXPECT_NEAR(end.tension[9], 9.81, 1e-6) << "the weight of the last mass that still hangs";
+}
+
 // A line is solved exactly whatever its masses weigh, and from whichever end it begins. (Link by link the tip
 // stretches this chain by two thirds.)
 TEST(LineRelaxation, ATipTenThousandTimesAsHeavyHangsOnAChain) {
