@@ -47,7 +47,14 @@ HUNG_SHEET(by_the_top_row_xpbd, "xpbd", as_usual, {"top"})->Arg(960)->Arg(3840)-
 HUNG_SHEET(by_the_top_row_xpbd_single, "xpbd", single, {"top"})->Arg(960)->Arg(3840)->Arg(7680);
 HUNG_SHEET(by_the_top_row_xpbd_lines, "xpbd", lines, {"top"})->Arg(240)->Arg(480)->Arg(960);
 HUNG_SHEET(by_the_top_row_newton, "newton", as_usual, {"top"})->Arg(60);
-HUNG_SHEET(by_two_corners_xpbd, "xpbd", as_usual, {"top-left", "top-right"})->Arg(960)->Arg(7680)->Arg(30720);
-HUNG_SHEET(by_two_corners_xpbd_lines, "xpbd", lines, {"top-left", "top-right"})->Arg(960)->Arg(3840);
+HUNG_SHEET(by_two_corners_xpbd, "xpbd", as_usual, {"top-left", "top-right"})
+    ->Arg(960)
+    ->Arg(3840)
+    ->Arg(15360)
+    ->Arg(30720);
+HUNG_SHEET(by_two_corners_xpbd_lines, "xpbd", lines, {"top-left", "top-right"})
+    ->Arg(960)
+    ->Arg(3840)
+    ->Arg(15360);
 
 }  // namespace
