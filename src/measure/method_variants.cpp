@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "measure/pace.h"
 #include "methods/registry.h"
@@ -20,11 +21,13 @@ bool relaxes(const Model& model, const Method& method) {
          (!springs_are_forces || has_rigid_links(model) || !model.limits.empty());
 }
 
-// How xpbd relaxes links is the scene's choice: charts and plans leave it at one by one.
-constexpr std::string_view left_at_default = "relax";
+// How xpbd relaxes links is the scene's choice: plans leave it at one by one.
+constexpr std::string_view scene_chooses = "relax";
 
-// All combinations of a method's worded parameters, the method's default first.
-std::vector<MethodVariant> variants(const Model& model, const Method& method, std::size_t place) {
+// All combinations of a method's worded parameters, the method's default first; of what a scene chooses only
+// each other choice beside the defaults of all else.
+std::vector<MethodVariant> variants(const Model& model, const Method& method, std::size_t place,
+                                    Choices choices) {
   MethodVariant plain;
   plain.name = method.name;
   plain.settings = complete_settings({std::string(method.name), {}});
@@ -37,7 +40,7 @@ std::vector<MethodVariant> variants(const Model& model, const Method& method, st
   if (relaxes(model, method)) plain.passes = ChartAxis{"passes", 1.0, 4.0, 5};
   std::vector<MethodVariant> curves{plain};
   for (const Param& param : method.params) {
-    if (param.choices.empty() || param.name == left_at_default) continue;
+    if (param.choices.empty() || param.name == scene_chooses) continue;
     std::vector<MethodVariant> chosen;
     for (const MethodVariant& curve : curves)
       for (const std::string_view choice : param.choices) {
@@ -49,6 +52,13 @@ std::vector<MethodVariant> variants(const Model& model, const Method& method, st
       }
     curves = std::move(chosen);
   }
+  if (const Param* chosen = find_param(method, scene_chooses);
+      chosen != nullptr && choices == Choices::charted)
+    for (const std::string_view choice : std::span(chosen->choices).subspan(1)) {
+      curves.push_back(curves.front());
+      curves.back().settings.values[std::string(chosen->name)] = std::string(choice);
+      curves.back().name += fmt::format(" {}", choice);
+    }
   return curves;
 }
 
@@ -67,7 +77,8 @@ void require_known(const std::vector<std::string>& methods) {
 
 }  // namespace
 
-MethodVariants variants_of(const Model& model, const State& start, const std::vector<std::string>& methods) {
+MethodVariants variants_of(const Model& model, const State& start, const std::vector<std::string>& methods,
+                           Choices choices) {
   require_known(methods);
   MethodVariants result;
   for (std::size_t place = 0; place < all_methods().size(); ++place) {
@@ -84,7 +95,7 @@ MethodVariants variants_of(const Model& model, const State& start, const std::ve
           fmt::format("{} {}", method.name, first.substr(what, first.find(';') - what)));
       continue;
     }
-    for (MethodVariant& curve : variants(model, method, place)) {
+    for (MethodVariant& curve : variants(model, method, place, choices)) {
       if (const std::string problem = refusal(model, start, method, curve); !problem.empty())
         result.omissions.push_back(fmt::format("{}: {}", curve.name, problem));
       else

@@ -54,12 +54,12 @@ std::vector<std::string> markers_of(const FigureCurve& curve, double size) {
   if (marker.filled == marker.open)
     return {fmt::format("pt {} ps {:.3g}*marker lw 4 lc rgb '{}'", marker.open, size, colour)};
   return {fmt::format("pt {} ps {:.3g}*marker lc rgb '{}'", marker.filled, size,
-                      curve.second ? std::string_view("#ffffff") : colour),
+                      curve.variant > 0 ? std::string_view("#ffffff") : colour),
           fmt::format("pt {} ps {:.3g}*marker lw 3 lc rgb '{}'", marker.open, size, colour)};
 }
 
 std::string dashes_of(const FigureCurve& curve) {
-  return curve.second ? "dt (11,7)" : "dt 1";
+  return curve.variant == 0 ? "dt 1" : curve.variant == 1 ? "dt (11,7)" : "dt (3,4)";
 }
 
 constexpr double marker_size = 2.0;

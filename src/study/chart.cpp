@@ -109,7 +109,7 @@ Chart measure_chart(const Scene& scene, const ChartRequest& request, const std::
   chart.energy_scale = energy_scale(scene.model, scene.start);
   chart.budget = request.budget;
   chart.machine = this_machine();
-  MethodVariants curves = variants_of(scene.model, scene.start, request.methods);
+  MethodVariants curves = variants_of(scene.model, scene.start, request.methods, Choices::charted);
   chart.curves = share_of(std::move(curves.variants), request.shard);
   chart.omissions = std::move(curves.omissions);
   const std::string inputs = inputs_of(scene, request);

@@ -99,8 +99,14 @@ std::string error_in_words(const Chart& chart, ErrorKind kind) {
   return "";
 }
 
-bool has_second_curves(const Chart& chart) {
-  return std::ranges::adjacent_find(chart.curves, {}, &MethodVariant::method) != chart.curves.end();
+// What tells the curves of one method from each other.
+std::string_view variants_in_words(const Chart& chart) {
+  std::ptrdiff_t most = 0;
+  for (const MethodVariant& curve : chart.curves)
+    most = std::max(most, std::ranges::count(chart.curves, curve.method, &MethodVariant::method));
+  if (most < 2) return "";
+  return most == 2 ? " Dashes and hollow markers: a second variant of the same method."
+                   : " Dashes and hollow markers: a second variant of the same method; dots: a third.";
 }
 
 std::vector<std::string> reading_notes(const Chart& chart, ErrorKind kind, ChartCost cost) {
@@ -119,7 +125,7 @@ std::vector<std::string> reading_notes(const Chart& chart, ErrorKind kind, Chart
       "the numbers along it say what they were run with: steps per second, × passes over the links in each "
       "step, or "
       "the tolerance of a method that chooses its steps.",
-      has_second_curves(chart) ? " Dashes and hollow markers: a second variant of the same method." : ""));
+      variants_in_words(chart)));
   notes.push_back(fmt::format(
       "The guides show how steep curves of order 1, 2 and 4 are, whose errors fall as that power of the "
       "step.{}",

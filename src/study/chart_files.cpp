@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 #include <string_view>
 
 #include "base/digits.h"
@@ -53,7 +54,8 @@ FigureCurve curve_of(const Chart& chart, std::size_t place, ErrorKind kind, Char
   FigureCurve drawn;
   drawn.name = curve.name;
   drawn.style = curve.method;
-  drawn.second = place > 0 && chart.curves[place - 1].method == curve.method;
+  drawn.variant = static_cast<int>(
+      std::ranges::count(std::span(chart.curves).first(place), curve.method, &MethodVariant::method));
   std::vector<const ChartCase*> cases;
   for (const ChartCase& done : chart.cases)
     if (done.point.curve == place && is_drawn(chart, done, kind, cost)) cases.push_back(&done);

@@ -149,8 +149,8 @@ function draw() {
     chart.curves.forEach((curve, i) => {
       const colour = colours[curve.colour % colours.length];
       const own = shown.filter(c => c.curve === curve.name), line = front(own);
-      const dashed = i > 0 && chart.curves[i - 1].colour === curve.colour;
-      element('polyline', { points: line.map(point).join(' '), fill: 'none', stroke: colour, 'stroke-width': 2.5, 'stroke-dasharray': dashed ? '7 5' : 'none' }, plot);
+      const variant = chart.curves.slice(0, i).filter(other => other.colour === curve.colour).length;
+      element('polyline', { points: line.map(point).join(' '), fill: 'none', stroke: colour, 'stroke-width': 2.5, 'stroke-dasharray': ['none', '7 5', '2 4'][Math.min(variant, 2)] }, plot);
       for (const c of own) {
         const [cx, cy] = point(c).split(',');
         const best = line.includes(c);

@@ -39,10 +39,14 @@ struct MethodVariants {
   std::vector<std::string> omissions;
 };
 
+/// Which choices of parameters make variants: those that plans choose among, or, for charts, also those that
+/// a scene has to ask for.
+enum class Choices { planned, charted };
+
 /// Every method of the registry with every choice of its worded parameters; those left out that refuse the
 /// model. `methods` names those wanted; empty: all. Throws BadRequest for a name that is no method's.
 MethodVariants variants_of(const Model& model, const State& start,
-                           const std::vector<std::string>& methods = {});
+                           const std::vector<std::string>& methods = {}, Choices choices = Choices::planned);
 
 /// The variant's settings at a pace (pace.h) and, where it relaxes, with passes.
 Settings settings_at(const Model& model, const MethodVariant& variant, double steps_per_second, int passes);

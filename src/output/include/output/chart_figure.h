@@ -18,8 +18,8 @@ struct FigurePoint {
 /// A curve of a chart and its name, which stands in the margin, beside the end of smallest x.
 struct FigureCurve {
   std::string name;
-  std::size_t style = 0;            ///< of the house's colours and markers (plot_colour.h)
-  bool second = false;              ///< another of the same style: dashed, its markers hollow
+  std::size_t style = 0;  ///< of the house's colours and markers (plot_colour.h)
+  int variant = 0;        ///< of its style: the second is dashed, others dotted, their markers hollow
   std::vector<FigurePoint> points;  ///< in the order of the line
 };
 
