@@ -44,7 +44,7 @@ AlongStart AlongRelaxation::pass_along(const Masses& start, Masses& position, Pa
   std::atomic<bool> finite{true};
   const auto visit = [&](std::size_t i, const FreeMotion<double>* moving) {
     found_[i].lost.clear();
-    if (!relax_along_start(lay_.layout, links, stretches_of(lay_.sections[i]), start.view(), moving,
+    if (!relax_along_start(lay_.layout, links, stretches_of(lay_.sections[i]), start.read(), moving,
                            lay_.sections[i].masses, place, judged, position.view(), found_[i]))
       finite.store(false);
   };

@@ -198,14 +198,14 @@ bool LineRelaxation::pass(const Masses& start, Masses& position, PassPlace place
     for_each_part([&](std::size_t part) {
       const std::size_t begin = places_.masses.size() * part / parts_,
                         end = places_.masses.size() * (part + 1) / parts_;
-      relax_along_present<double>(Layout::packed, {}, {}, start.view(), motion, {begin, end, 0, 0},
+      relax_along_present<double>(Layout::packed, {}, {}, start.read(), motion, {begin, end, 0, 0},
                                   {true, false}, position.view());
     });
   const LineArrays lines{place_offset_.data(), move_.data(),   length_.data(), diagonal_.data(),
                          multiplier_.data(),   scaled_.data(), gamma_.data(),  damped_.data()};
   for (std::size_t colour = 0; colour < begin_.size(); ++colour)
     for_each_part([&](std::size_t part) {
-      relax_lines(lines, groups_of(colour, part), start.view(), place.first, scratch_[part].data(),
+      relax_lines(lines, groups_of(colour, part), start.read(), place.first, scratch_[part].data(),
                   position.view());
     });
   return !place.last || are_all_finite(position);
@@ -216,7 +216,7 @@ bool LineRelaxation::are_all_finite(const Masses& position) {
   for_each_part([&](std::size_t part) {
     const std::size_t begin = places_.masses.size() * part / parts_,
                       end = places_.masses.size() * (part + 1) / parts_;
-    if (!are_finite<double>(Layout::packed, position.view(), begin, end)) finite.store(false);
+    if (!are_finite<double>(Layout::packed, position.read(), begin, end)) finite.store(false);
   });
   return finite.load();
 }

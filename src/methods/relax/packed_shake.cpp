@@ -138,8 +138,8 @@ class PackedShake final : public Stepper {
   template <std::size_t apart>
   double energy_along(int axis, const FieldKick& end) const {
     constexpr std::size_t parts = 4;
-    const std::size_t first = static_cast<std::size_t>(axis) * present_.view().component;
-    const double *now = present_.view().first + first, *before = previous_.view().first + first;
+    const std::size_t first = static_cast<std::size_t>(axis) * present_.read().component;
+    const double *now = present_.read().first + first, *before = previous_.read().first + first;
     const double inverse_h = 1.0 / at_.h, gain = end.gain[axis], height = -model_.gravity[axis];
     std::array<double, parts> sums{};
     const auto add = [&](std::size_t place, double& sum) {
@@ -195,15 +195,9 @@ class PackedShake final : public Stepper {
   void move(double h, Masses& moved, StepReport& report) {
     const FieldKick end = end_kick();
     const FieldKick begun = field_kick(model_, 0.5 * h, DragAt::start);
-    const FreeMotion<double> motion{std::as_const(previous_).view(),
-                                    std::as_const(present_).view(),
-                                    at_.velocities,
-                                    1.0 / at_.h,
-                                    end.keep,
-                                    begun.keep,
-                                    h,
-                                    packed_gain(end.gain),
-                                    packed_gain(begun.gain)};
+    const FreeMotion<double> motion{
+        previous_.read(),      present_.read(),        at_.velocities, 1.0 / at_.h, end.keep, begun.keep, h,
+        packed_gain(end.gain), packed_gain(begun.gain)};
     links_.places().load_pins(state_.position, moved);
     links_.begin_step(1.0, 1.0);
     for (int made = 0; made < passes_; ++made) {

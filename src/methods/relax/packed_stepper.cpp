@@ -38,15 +38,7 @@ class PackedStepper final : public Stepper {
   StepReport step(double h, double end_time) override {
     if (!packed_) pack();
     const bool whole = kicks_ == Kicks::whole;
-    FreeMotion<Real> motion{std::as_const(previous_).view(),
-                            std::as_const(present_).view(),
-                            velocities_,
-                            {},
-                            Real(1),
-                            {},
-                            {},
-                            {},
-                            {}};
+    FreeMotion<Real> motion{previous_.read(), present_.read(), velocities_, {}, Real(1), {}, {}, {}, {}};
     motion.inverse_h = static_cast<Real>(1.0 / last_h_);
     motion.h = static_cast<Real>(h);
     set_kick(whole ? h : 0.5 * h, motion.keep, motion.gain);

@@ -50,16 +50,18 @@ void Relaxation<Real>::links_changed(const State& state) {
 template <class Real>
 void Relaxation<Real>::lay_out() {
   const bool shared = workers_ && links_.size() >= fewest_to_share;
+  const std::vector<Index> links =
+      links_.size() >= fewest_to_split ? listed_as_in_sheets(model_, links_) : links_;
   const auto try_out = [&](Layout layout, std::vector<Index> masses) {
-    lay_ = lay_out_links<Real>(model_, visit_order(model_, links_, std::move(masses)), layout, equal_weight_,
+    lay_ = lay_out_links<Real>(model_, visit_order(model_, links, std::move(masses)), layout, equal_weight_,
                                shared ? static_cast<std::size_t>(workers_->count()) : 1);
   };
   if (!lay_.masses.empty()) return try_out(lay_.layout, std::move(lay_.masses));
-  if (links_.size() >= fewest_to_split && follow_each_other(model_, links_)) {
-    try_out(Layout::split, row_order(model_, links_, links_at_once<Real>));
-    if (4 * lay_.adjoining >= 3 * links_.size()) return;
+  if (links.size() >= fewest_to_split && follow_each_other(model_, links)) {
+    try_out(Layout::split, row_order(model_, links, links_at_once<Real>));
+    if (4 * lay_.adjoining >= 3 * links.size()) return;
   }
-  try_out(Layout::packed, mass_order(model_, links_));
+  try_out(Layout::packed, mass_order(model_, links));
 }
 
 // What the formulas have of h, drag, weights and softness together.
@@ -116,7 +118,7 @@ bool Relaxation<Real>::pass(const Masses& start, Masses& position, PassPlace pla
                             const FreeMotion<Real>* motion) {
   const LinkArrays<Real> links = arrays();
   const auto visit = [&](std::size_t i, const FreeMotion<Real>* moving) {
-    return relax_along_present<Real>(lay_.layout, links, stretches_of(lay_.sections[i]), start.view(), moving,
+    return relax_along_present<Real>(lay_.layout, links, stretches_of(lay_.sections[i]), start.read(), moving,
                                      lay_.sections[i].masses, place, position.view());
   };
   if (lay_.sections.size() == 1) return visit(0, motion);
@@ -132,10 +134,10 @@ template <class Real>
 bool Relaxation<Real>::unsettled_are_finite(const Masses& position) const {
   std::size_t begin = 0;
   for (std::size_t i = 0; i + 1 < lay_.sections.size(); ++i) {
-    if (!are_finite(lay_.layout, position.view(), begin, lay_.sections[i].masses.settled_begin)) return false;
+    if (!are_finite(lay_.layout, position.read(), begin, lay_.sections[i].masses.settled_begin)) return false;
     begin = lay_.sections[i].masses.settled_end;
   }
-  return are_finite(lay_.layout, position.view(), begin, lay_.masses.size());
+  return are_finite(lay_.layout, position.read(), begin, lay_.masses.size());
 }
 
 template <class Real>

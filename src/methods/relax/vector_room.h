@@ -40,8 +40,9 @@ class VectorRoom {
     if (between_ > 1) x[3] = Real(0);
   }
 
+  /// For kernels that write, and for those that don't.
   RoomView<Real> view() { return {numbers(), component_}; }
-  RoomView<const Real> view() const { return {numbers(), component_}; }
+  RoomView<const Real> read() const { return {numbers(), component_}; }
 
  private:
   Real* numbers() { return &storage_.data()->x; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 
@@ -174,6 +175,16 @@ bool follow_each_other(const Model& model, const std::vector<Index>& links) {
     before->second = a;
   }
   return 4 * following >= 3 * links.size();
+}
+
+std::vector<Index> listed_as_in_sheets(const Model& model, const std::vector<Index>& links) {
+  if (follow_each_other(model, links)) return links;
+  std::vector<Index> sorted = links;
+  std::ranges::sort(sorted, {}, [&](Index link) {
+    const std::int64_t a = model.links.a[link], b = model.links.b[link];
+    return std::tuple(b - a, a, link);
+  });
+  return follow_each_other(model, sorted) ? sorted : links;
 }
 
 // A link is visited with the block of its lower mass, or with the last of the blocks of those links of
