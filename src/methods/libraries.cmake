@@ -14,7 +14,6 @@ set_source_files_properties(${CMAKE_CURRENT_SOURCE_DIR}/methods/direct/link_kern
                             ${CMAKE_CURRENT_SOURCE_DIR}/methods/forces/mass_kernels.cpp
                             ${CMAKE_CURRENT_SOURCE_DIR}/methods/high_order/chain_motion.cpp
                             ${CMAKE_CURRENT_SOURCE_DIR}/methods/high_order/phase_sums.cpp
+                            ${CMAKE_CURRENT_SOURCE_DIR}/methods/relax/kernels.cpp
                             ${CMAKE_CURRENT_SOURCE_DIR}/methods/relax/line_kernels.cpp
-                            ${CMAKE_CURRENT_SOURCE_DIR}/methods/relax/packed_kernels.cpp
-                            ${CMAKE_CURRENT_SOURCE_DIR}/methods/relax/split_kernels.cpp
                             PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)

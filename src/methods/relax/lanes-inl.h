@@ -27,6 +27,24 @@ struct Transposed {
   V x, y, z;
 };
 
+// Rows that have that form from the start.
+template <class Vector>
+struct TransposedRows {
+  using V = Vector;
+  using Rows = Transposed<V>;
+
+  static HWY_INLINE Rows minus(const Rows& a, const Rows& b) {
+    return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+  }
+  static HWY_INLINE Rows plus(const Rows& a, const Rows& b) {
+    return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
+  }
+  static HWY_INLINE Transposed<V> transposed(const Rows& d) { return d; }
+  static HWY_INLINE Rows scaled(V factor, const Rows& d) {
+    return {hn::Mul(factor, d.x), hn::Mul(factor, d.y), hn::Mul(factor, d.z)};
+  }
+};
+
 // Where the masses of a vector's links lie: anywhere, …
 struct Scattered {
   const std::uint32_t* offset;
@@ -52,11 +70,10 @@ struct Lanes;
 
 // One link at a time.
 template <class Number>
-struct Lanes {
+struct Lanes : TransposedRows<hn::Vec<hn::FixedTag<Number, 1> > > {
   using Real = Number;
   using Tag = hn::FixedTag<Real, 1>;
-  using V = hn::Vec<Tag>;
-  using Rows = Transposed<V>;
+  using typename TransposedRows<hn::Vec<Tag> >::Rows;
   static constexpr bool split = false;
   static constexpr std::size_t count = 1;
 
@@ -71,16 +88,6 @@ struct Lanes {
     hn::Store(rows.x, Tag(), x);
     hn::Store(rows.y, Tag(), x + 1);
     hn::Store(rows.z, Tag(), x + 2);
-  }
-  static HWY_INLINE Rows minus(const Rows& a, const Rows& b) {
-    return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
-  }
-  static HWY_INLINE Rows plus(const Rows& a, const Rows& b) {
-    return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
-  }
-  static HWY_INLINE Transposed<V> transposed(const Rows& d) { return d; }
-  static HWY_INLINE Rows scaled(V factor, const Rows& d) {
-    return {hn::Mul(factor, d.x), hn::Mul(factor, d.y), hn::Mul(factor, d.z)};
   }
 };
 

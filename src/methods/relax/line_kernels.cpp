@@ -1,5 +1,5 @@
 // The kernel that solves lines of links, made once for every set of vector instructions, as those in
-// packed_kernels.cpp are, and with the same bits for each: a line's numbers stay in one lane.
+// kernels.cpp are, and with the same bits for each: a line's numbers stay in one lane.
 //
 // With n_i = d_i/|d_i| along link i, and w'_i = answer·w of mass i, the changes Δλ of a line's multipliers
 // solve the tridiagonal system

@@ -15,11 +15,11 @@ HWY_BEFORE_NAMESPACE();
 namespace taut::HWY_NAMESPACE {
 
 template <class Number>
-struct SplitLanes {
+struct SplitLanes : TransposedRows<typename Lanes<Number>::V> {
   using Real = Number;
   using Tag = typename Lanes<Real>::Tag;
-  using V = hn::Vec<Tag>;
-  using Rows = Transposed<V>;
+  using typename TransposedRows<typename Lanes<Number>::V>::V;
+  using typename TransposedRows<V>::Rows;
   static constexpr bool split = true;
   static constexpr std::size_t count = Lanes<Real>::count;
 
@@ -51,16 +51,6 @@ struct SplitLanes {
     store_all(rows.x, x, at);
     store_all(rows.y, x + masses.component, at);
     store_all(rows.z, x + 2 * masses.component, at);
-  }
-  static HWY_INLINE Rows minus(const Rows& a, const Rows& b) {
-    return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
-  }
-  static HWY_INLINE Rows plus(const Rows& a, const Rows& b) {
-    return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
-  }
-  static HWY_INLINE Transposed<V> transposed(const Rows& d) { return d; }
-  static HWY_INLINE Rows scaled(V factor, const Rows& d) {
-    return {hn::Mul(factor, d.x), hn::Mul(factor, d.y), hn::Mul(factor, d.z)};
   }
 };
 
