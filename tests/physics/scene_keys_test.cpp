@@ -152,7 +152,7 @@ TEST(SceneKeyCases, MatterToSomeMethod) {
 TEST(SolveKeys, ChangeTheMotion) {
   const std::map<std::string, std::string> values{
       {"steps_per_second", "700"}, {"passes", "3"}, {"impact_passes", "2"}, {"velocities", "derived"},
-      {"precision", "single"},     {"order", "4"},  {"tolerance", "0.01"}};
+      {"precision", "single"},     {"order", "4"},  {"tolerance", "0.01"},  {"relax", "lines"}};
   for (const Method& method : all_methods())
     for (const Param& param : method.params) {
       const std::string name(param.name);
