@@ -27,6 +27,16 @@ struct Transposed {
   V x, y, z;
 };
 
+template <class V>
+HWY_INLINE V dot(const Transposed<V>& a, const Transposed<V>& b) {
+  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
+}
+
+template <class Real>
+HWY_INLINE RoomView<const Real> read(RoomView<Real> masses) {
+  return {masses.first, masses.component};
+}
+
 // Rows that have that form from the start.
 template <class Vector>
 struct TransposedRows {

@@ -35,10 +35,6 @@ using LineVector = LineLanes::V;
 // be told from it.
 constexpr double smallest_pivot = 1e-14;
 
-HWY_INLINE LineVector along(const Transposed<LineVector>& a, const Transposed<LineVector>& b) {
-  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
-}
-
 // Some lanes of a group, as many as a vector has.
 struct LanesOfGroup {
   const LineArrays& lines;
@@ -71,7 +67,7 @@ HWY_INLINE LineVector asked(const LanesOfGroup& lanes, std::size_t row, LineVect
     const Transposed<LineVector> d0 =
         L::transposed(L::minus(L::load(start, lanes.at(row)), L::load(start, lanes.at(row + 1))));
     const Transposed<LineVector> moved{hn::Sub(d.x, d0.x), hn::Sub(d.y, d0.y), hn::Sub(d.z, d0.z)};
-    too_short = hn::Sub(too_short, hn::Mul(lanes.load_special(lanes.lines.gamma, row), along(normal, moved)));
+    too_short = hn::Sub(too_short, hn::Mul(lanes.load_special(lanes.lines.gamma, row), dot(normal, moved)));
   }
   return too_short;
 }
@@ -89,7 +85,7 @@ HWY_INLINE void eliminate(const LanesOfGroup& lanes, RoomView<const double> star
   for (std::size_t row = 0; row + 1 < lanes.rows; ++row) {
     const auto next = L::load(position, lanes.at(row + 1));
     const Transposed<LineVector> d = L::transposed(L::minus(here, next));
-    const LineVector distance = hn::Sqrt(along(d, d)), length = lanes.load(lines.length, row);
+    const LineVector distance = hn::Sqrt(dot(d, d)), length = lanes.load(lines.length, row);
     const auto has_direction = hn::And(hn::Gt(distance, zero), hn::Gt(length, zero));
     const LineVector inverse_distance = hn::IfThenElseZero(has_direction, hn::Div(one, distance));
     const Transposed<LineVector> normal{hn::Mul(d.x, inverse_distance), hn::Mul(d.y, inverse_distance),
@@ -97,7 +93,7 @@ HWY_INLINE void eliminate(const LanesOfGroup& lanes, RoomView<const double> star
     LineVector right = asked<soft, damped, first>(lanes, row, hn::Sub(length, distance), normal, d, start);
     if constexpr (damped) right = hn::Mul(right, lanes.load_special(lines.damped, row));
     right = hn::IfThenElseZero(has_direction, right);
-    const LineVector other = hn::Neg(hn::Mul(lanes.load(lines.move, row), along(normal_before, normal)));
+    const LineVector other = hn::Neg(hn::Mul(lanes.load(lines.move, row), dot(normal_before, normal)));
     const LineVector factor = hn::Mul(other, inverse_pivot), diagonal = lanes.load(lines.diagonal, row);
     inverse_pivot =
         hn::Div(one, hn::Max(hn::Sub(diagonal, hn::Mul(factor, other)), hn::Mul(smallest, diagonal)));
@@ -116,9 +112,8 @@ template <bool first>
 HWY_INLINE void substitute(const LanesOfGroup& lanes, double* multipliers, RoomView<double> position) {
   using L = LineLanes;
   const L::Tag tag;
-  const RoomView<const double> read{position.first, position.component};
   LineVector change = hn::Zero(tag), factor = hn::Zero(tag);
-  auto below = L::load(read, lanes.at(lanes.rows - 1));
+  auto below = L::load(read(position), lanes.at(lanes.rows - 1));
   auto push_below = L::scaled(change, L::minus(below, below));
   for (std::size_t row = lanes.rows - 1; row-- > 0;) {
     const double* kept = lanes.kept(row);
@@ -126,7 +121,7 @@ HWY_INLINE void substitute(const LanesOfGroup& lanes, double* multipliers, RoomV
     factor = hn::LoadU(tag, kept + L::count);
     double* multiplier = multipliers + lanes.slot + lines_at_once * row;
     hn::StoreU(first ? change : hn::Add(hn::LoadU(tag, multiplier), change), tag, multiplier);
-    const auto here = L::load(read, lanes.at(row));
+    const auto here = L::load(read(position), lanes.at(row));
     const auto push = L::scaled(hn::Mul(change, hn::LoadU(tag, kept)), L::minus(here, below));
     const LineVector move = lanes.load(lanes.lines.move, row + 1);
     L::store(L::plus(below, L::scaled(move, L::minus(push_below, push))), position, lanes.at(row + 1));
@@ -142,7 +137,7 @@ HWY_NOINLINE void relax_group(const LineArrays& all_lines, const LineGroup& grou
   const LineArrays lines = all_lines;  // which no store can change
   for (std::size_t lane = 0; lane < lines_at_once; lane += LineLanes::count) {
     const LanesOfGroup lanes{lines, group.begin + lane, group.special + lane, group.rows, scratch};
-    eliminate<soft, damped, first>(lanes, start, {position.first, position.component});
+    eliminate<soft, damped, first>(lanes, start, read(position));
     substitute<first>(lanes, lines.multiplier, position);
   }
 }

@@ -3,16 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <limits>
 #include <map>
+
+#include "relax/visit_parts.h"
 
 namespace taut {
 namespace {
-
-constexpr Index no_mass = std::numeric_limits<Index>::max();
-
-// Below that, waiting for each other takes longer than the work.
-constexpr std::size_t fewest_links_to_share = 4000;
 
 // By what share of itself the diagonal of a line between two pins is larger, divided by its links.
 constexpr double pinned_share = 1e-3;
@@ -42,8 +38,7 @@ void LineRelaxation::links_changed(const State& state) {
   // Where masses lie matters to the caches alone: breaks need not change it.
   places_.give_places(model_,
                       places_.masses.empty() ? mass_order(model_, links_) : std::vector(places_.masses));
-  const bool shared = workers_ && links_.size() >= fewest_links_to_share;
-  parts_ = shared ? static_cast<std::size_t>(workers_->count()) : 1;
+  parts_ = threads_for(workers_.get(), links_.size());
   scratch_.resize(parts_);
   groups_.clear();
   begin_.clear();
@@ -109,7 +104,7 @@ void LineRelaxation::add_group(const LinkLines& lines, std::span<const Lane> lan
   group.rows = std::ranges::max(lanes, {}, &Lane::rows).rows;
   group.special = special_slot_.size();
   const std::size_t end = group.begin + lines_at_once * group.rows;
-  mass_.resize(end, no_mass);
+  mass_.resize(end, empty_place);
   stiffening_.resize(end, 1.0);
   visited_.resize(end, no_link);
   // Filled up with a mass of the group's own that has no links.
@@ -157,7 +152,7 @@ void LineRelaxation::settle(double h, double answer) {
   settled_h_ = h;
   settled_answer_ = answer;
   for (std::size_t slot = 0; slot < mass_.size(); ++slot)
-    if (mass_[slot] != no_mass) move_[slot] = answer * model_.masses.inverse_mass[mass_[slot]];
+    if (mass_[slot] != empty_place) move_[slot] = answer * model_.masses.inverse_mass[mass_[slot]];
   for (std::size_t slot = 0; slot < visited_.size(); ++slot)
     if (visited_[slot] != no_link)
       diagonal_[slot] = (move_[slot] + move_[slot + lines_at_once]) * stiffening_[slot];

@@ -92,7 +92,7 @@ class LineRelaxation {
   std::vector<std::vector<double>> scratch_;     // of each part
 
   // One a slot.
-  std::vector<Index> mass_, visited_;  // no_mass and no_link where a lane is filled up
+  std::vector<Index> mass_, visited_;  // empty_place and no_link where a lane is filled up
   std::vector<std::uint32_t> place_offset_;
   std::vector<double> move_, length_, stiffening_, diagonal_, multiplier_, multiplier_before_;
   std::vector<std::size_t> special_slot_;  // by special place

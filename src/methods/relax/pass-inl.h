@@ -17,16 +17,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace taut::HWY_NAMESPACE {
 
-template <class Real>
-HWY_INLINE RoomView<const Real> read(RoomView<Real> masses) {
-  return {masses.first, masses.component};
-}
-
-template <class V>
-HWY_INLINE V dot(const Transposed<V>& a, const Transposed<V>& b) {
-  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
-}
-
 // The ends of the links of a stretch.
 template <class Real, bool strided>
 struct Ends {

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <atomic>
+#include <iterator>
 #include <utility>
 
 #include "model/parts.h"
 #include "relax/visit_order.h"
+#include "relax/visit_parts.h"
 
 namespace taut {
 namespace {
@@ -18,9 +20,7 @@ double common_weight(const Model& model) {
   return -1.0;
 }
 
-// Below that, waiting for each other takes longer than the work.
-constexpr std::size_t fewest_to_share = 4000;
-// And these are done before it matters how their masses lie.
+// Fewer are done before it matters how their masses lie.
 constexpr std::size_t fewest_to_split = 256;
 
 }  // namespace
@@ -31,10 +31,11 @@ Relaxation<Real>::Relaxation(const Model& model, const Execution& execution, Vis
 
 template <class Real>
 void Relaxation<Real>::links_changed(const State& state) {
+  if (listed_.empty()) list_links();
   links_.clear();
   for (const Index link : solvable_links(model_))
     if (!state.broken(link) && (visits_ == Visits::all || model_.links.rigid(link))) links_.push_back(link);
-  lay_out();
+  lay_out(state);
   slot_.assign(model_.links.size(), 0);
   for (std::size_t slot = 0; slot < lay_.visited.size(); ++slot)
     if (lay_.visited[slot] != no_link) slot_[lay_.visited[slot]] = static_cast<std::uint32_t>(slot);
@@ -46,15 +47,22 @@ void Relaxation<Real>::links_changed(const State& state) {
   settled_h_ = settled_answer_ = 0;
 }
 
+// From the model alone, so that a run that goes on from a state with broken links visits them alike.
+template <class Real>
+void Relaxation<Real>::list_links() {
+  for (const Index link : solvable_links(model_))
+    if (visits_ == Visits::all || model_.links.rigid(link)) listed_.push_back(link);
+  if (listed_.size() >= fewest_to_split) listed_ = listed_as_in_sheets(model_, std::move(listed_));
+}
+
 // How masses lie matters to the time alone: breaks need not change it.
 template <class Real>
-void Relaxation<Real>::lay_out() {
-  const bool shared = workers_ && links_.size() >= fewest_to_share;
-  const std::vector<Index> links =
-      links_.size() >= fewest_to_split ? listed_as_in_sheets(model_, links_) : links_;
+void Relaxation<Real>::lay_out(const State& state) {
+  std::vector<Index> links;
+  std::ranges::copy_if(listed_, std::back_inserter(links), [&](Index link) { return !state.broken(link); });
   const auto try_out = [&](Layout layout, std::vector<Index> masses) {
     lay_ = lay_out_links<Real>(model_, visit_order(model_, links, std::move(masses)), layout, equal_weight_,
-                               shared ? static_cast<std::size_t>(workers_->count()) : 1);
+                               threads_for(workers_.get(), links.size()));
   };
   if (!lay_.masses.empty()) return try_out(lay_.layout, std::move(lay_.masses));
   if (links.size() >= fewest_to_split && follow_each_other(model_, links)) {

@@ -81,12 +81,14 @@ class Relaxation {
   std::vector<std::uint32_t> slot_;      // of each link that is visited
 
  private:
-  void lay_out();
+  void list_links();
+  void lay_out(const State& state);
   void settle(Real h, Real answer);
 
   const Model& model_;
   Visits visits_;
   double equal_weight_;                      // w of all free masses; −1 where they differ
+  std::vector<Index> listed_;                // all that may ever be visited, as visit_order() takes them
   std::vector<Index> links_;                 // in the order of the model
   Real settled_h_ = 0, settled_answer_ = 0;  // what the arrays of special links hold for
 };

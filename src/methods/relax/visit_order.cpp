@@ -177,7 +177,7 @@ bool follow_each_other(const Model& model, const std::vector<Index>& links) {
   return 4 * following >= 3 * links.size();
 }
 
-std::vector<Index> listed_as_in_sheets(const Model& model, const std::vector<Index>& links) {
+std::vector<Index> listed_as_in_sheets(const Model& model, std::vector<Index> links) {
   if (follow_each_other(model, links)) return links;
   std::vector<Index> sorted = links;
   std::ranges::sort(sorted, {}, [&](Index link) {

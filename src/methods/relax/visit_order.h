@@ -39,7 +39,7 @@ bool follow_each_other(const Model& model, const std::vector<Index>& links);
 /// The links as they are, or, where only so they follow each other, in the order of sheets: by how far apart
 /// their ends are numbered, and then by their first ends. So a sheet whose links are listed at random is
 /// relaxed like any other.
-std::vector<Index> listed_as_in_sheets(const Model& model, const std::vector<Index>& links);
+std::vector<Index> listed_as_in_sheets(const Model& model, std::vector<Index> links);
 
 /// The result of visiting links in this order is that of visiting them colour by colour, with colours given
 /// greedily in the order of `links`. Where there are more masses than a cache holds the colours go over them

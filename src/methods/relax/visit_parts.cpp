@@ -5,6 +5,9 @@
 namespace taut {
 namespace {
 
+// Below that, waiting for each other takes longer than the work.
+constexpr std::size_t fewest_to_share = 4000;
+
 constexpr std::size_t of_the_rest = static_cast<std::size_t>(-1);
 
 // Which part a mass belongs to, by its place: the rest, once a link of the rest has touched it.
@@ -45,6 +48,10 @@ void find_settled(const VisitOrder& order, const Owners& owners, VisitParts::Par
 }
 
 }  // namespace
+
+std::size_t threads_for(const Workers* workers, std::size_t links) {
+  return workers != nullptr && links >= fewest_to_share ? static_cast<std::size_t>(workers->count()) : 1;
+}
 
 VisitParts share_out(const Model& model, const VisitOrder& order, std::size_t parts) {
   VisitParts shared;

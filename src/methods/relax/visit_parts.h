@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/workers.h"
 #include "relax/visit_order.h"
 
 namespace taut {
@@ -20,6 +21,9 @@ struct VisitParts {
   std::vector<Part> parts;
   std::vector<VisitOrder::Run> rest;
 };
+
+/// How many threads so many links are shared among: few stay on one.
+std::size_t threads_for(const Workers* workers, std::size_t links);
 
 /// At least one part.
 VisitParts share_out(const Model& model, const VisitOrder& order, std::size_t parts);
