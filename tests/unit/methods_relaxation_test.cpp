@@ -11,6 +11,8 @@
 #include <set>
 #include <tuple>
 
+#include "model/parts.h"
+#include "relax/link_layout.h"
 #include "relax/relaxation.h"
 
 namespace taut {
@@ -153,6 +155,37 @@ INSTANTIATE_TEST_SUITE_P(Threads, AnyOrder,
                                                               SheetKind{Listed::all_at_random},
                                                               SheetKind{Listed::in_rows, 45, 40, true}),
                                             ::testing::Values(1, 2, 3, 8)));
+
+// Slots without a link write back what lies at their ends.
+TEST(LinkLayout, GapsLieApartAndOverMassesOfTheirThread) {
+  constexpr std::size_t lanes = links_at_once<double>;
+  int gaps = 0;
+  for (const Index columns : {2, 3, 4, 5, 7, 9, 45})
+    for (const bool upwards : {false, true})
+      for (const std::size_t threads : {1, 3}) {
+        std::mt19937 random(3);
+        const Model model = sheet({Listed::in_rows, 400 / columns, columns, upwards}, random);
+        const std::vector<Index> links = solvable_links(model);
+        const LinkLayout<double> layout = lay_out_links<double>(
+            model, visit_order(model, links, row_order(model, links, lanes)), Layout::split, 1.0, threads);
+        for (const LinkSection& section : layout.sections)
+          for (std::size_t i = section.begin; i < section.end; ++i) {
+            const LinkStretch& stretch = layout.stretches[i];
+            if (stretch.stride == 0) continue;
+            for (std::size_t slot = stretch.begin; slot < stretch.end; ++slot) {
+              if (layout.visited[slot] != no_link) continue;
+              ++gaps;
+              const std::size_t vector = stretch.ends + (slot - stretch.begin) / lanes,
+                                a = layout.a[vector] / sizeof(double), b = layout.b[vector] / sizeof(double);
+              const auto [low, high] = std::minmax(a, b);
+              EXPECT_GE(high - low, lanes) << columns << ' ' << upwards;
+              EXPECT_GE(low, section.masses.begin);
+              EXPECT_LE(high + lanes, section.masses.end == 0 ? layout.masses.size() : section.masses.end);
+            }
+          }
+      }
+  EXPECT_GT(gaps, 1000);
+}
 
 }  // namespace
 }  // namespace taut

@@ -33,6 +33,7 @@ class LayingOut {
 
  private:
   static constexpr std::size_t at_once = links_at_once<Real>;
+  static constexpr auto lanes = static_cast<std::ptrdiff_t>(at_once);
 
   // Apart by what they lack, so that each kind pays for no more than it has.
   void add_run(const VisitOrder::Run& run) {
@@ -95,34 +96,37 @@ class LayingOut {
     }
   }
 
-  // Takes out of some links between free masses those whose ends lie beside each other, and makes stretches
-  // of them: a row that is no multiple of what a kernel takes at once ends with a gap, if there is room for
-  // it.
+  // Takes out of some links between free masses those whose ends lie beside each other, and makes a stretch
+  // of them. Its vectors begin where those of masses do, so that no two of a colour lie over each other in
+  // part, for which a processor would wait: where there is no link there is a gap, if there is room for it.
+  // Those that would be alone among gaps are left.
   void add_adjoining(std::vector<Index>& links, const LinkStretch& kind) {
-    std::vector<Index> adjoining, others;
-    for (auto row = links.begin(); row != links.end();) {
-      auto end = row + 1;
-      while (end != links.end() && a(*end) == a(end[-1]) + 1 && b(*end) == b(end[-1]) + 1) ++end;
-      auto until = end - (end - row) % static_cast<std::ptrdiff_t>(at_once);
-      if (until != end && has_room(*until)) until = end;
-      adjoining.insert(adjoining.end(), row, until);
-      others.insert(others.end(), until, end);
-      while (adjoining.size() % at_once != 0) adjoining.push_back(no_link);
-      row = end;
+    std::map<std::pair<std::ptrdiff_t, std::ptrdiff_t>, std::vector<Index>> vectors;  // by first a, b - a
+    for (const Index link : links) vectors[{a(link) / lanes * lanes, b(link) - a(link)}].push_back(link);
+    std::vector<Index> adjoining;
+    links.clear();
+    for (const auto& [ends, those] : vectors) {
+      const auto [first, between] = ends;
+      if (2 * those.size() < at_once || (those.size() < at_once && !has_room(first, first + between))) {
+        links.insert(links.end(), those.begin(), those.end());
+        continue;
+      }
+      const std::size_t begin = adjoining.size();
+      adjoining.resize(begin + at_once, no_link);
+      for (const Index link : those) adjoining[begin + static_cast<std::size_t>(a(link) - first)] = link;
     }
-    links = std::move(others);
     if (adjoining.empty()) return;
     LinkStretch stretch = kind;
     stretch.stride = bytes_between<Real>(out_.layout);
     add_stretch(adjoining, stretch);
   }
 
-  // Whether there can be slots without a link from this one's on. As they write back what they have read, the
-  // ends of a vector must lie apart, and over no masses of other threads.
-  bool has_room(Index first) const {
-    const auto low = static_cast<std::size_t>(std::min(a(first), b(first))),
-               high = static_cast<std::size_t>(std::max(a(first), b(first)));
-    return high - low >= at_once && low >= beside_begin_ && high + at_once <= beside_end_;
+  // Whether there can be slots without a link in a vector whose ends lie from these places on. As they write
+  // back what they have read, its ends must lie apart, and over no masses of other threads.
+  bool has_room(std::ptrdiff_t first_a, std::ptrdiff_t first_b) const {
+    const auto [low, high] = std::minmax(first_a, first_b);
+    return high - low >= lanes && low >= static_cast<std::ptrdiff_t>(beside_begin_) &&
+           high + lanes <= static_cast<std::ptrdiff_t>(beside_end_);
   }
 
   void add_stretch(const std::vector<Index>& links, LinkStretch stretch) {
@@ -130,9 +134,11 @@ class LayingOut {
     stretch.special = out_.special.size();
     stretch.ends = out_.a.size();
     for (std::size_t i = 0; i < links.size(); ++i) {
-      if (stretch.stride == 0 || i % at_once == 0)
+      if (stretch.stride == 0)
         add_ends(out_.place_of(model_, model_.links.a[links[i]]),
                  out_.place_of(model_, model_.links.b[links[i]]));
+      else if (i % at_once == 0)
+        add_first_ends(&links[i], stretch.stride / bytes_between<Real>(out_.layout));
       add_slot(links[i], links[i] == no_link ? -1.0 : model_.links.length[links[i]], stretch);
       if (stretch.stride != 0 && links[i] != no_link) ++out_.adjoining;
     }
@@ -146,6 +152,14 @@ class LayingOut {
     }
     stretch.end = out_.visited.size();
     out_.stretches.push_back(stretch);
+  }
+
+  // Of the first link of a vector, or where its ends would be if it is a gap.
+  void add_first_ends(const Index* links, std::size_t places_between) {
+    std::size_t i = 0;
+    while (links[i] == no_link) ++i;
+    add_ends(out_.place[model_.links.a[links[i]]] - i * places_between,
+             out_.place[model_.links.b[links[i]]] - i * places_between);
   }
 
   void add_ends(std::size_t a_place, std::size_t b_place) {

@@ -24,7 +24,7 @@ struct LinkLayout : MassPlaces<Real> {
   std::vector<LinkSection> sections;  ///< of the threads; where there are several, one more for the rest
   std::vector<std::uint32_t> a, b;    ///< ends, as LinkStretch::ends has it
   std::vector<Index> visited;         ///< link by slot; no_link where there is none
-  std::vector<Real> length;           ///< by slot (m)
+  AlignedVector<Real> length;         ///< by slot (m)
   std::vector<Index> special;         ///< link by special place; no_link likewise
   std::size_t adjoining = 0;          ///< links in stretches with a stride
 };

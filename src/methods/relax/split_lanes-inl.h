@@ -27,9 +27,14 @@ struct SplitLanes : TransposedRows<typename Lanes<Number>::V> {
     return hn::LoadU(Tag(), at_offset(first, at.first));
   }
   static HWY_INLINE V load_all(const Real* first, const Scattered& at) {
-    HWY_ALIGN Real values[count];
-    for (std::size_t i = 0; i < count; ++i) values[i] = *at_offset(first, at(i));
-    return hn::Load(Tag(), values);
+    const hn::RebindToSigned<Tag> offset;
+    const hn::Rebind<std::uint32_t, Tag> narrow;
+    const auto offsets = hn::LoadU(narrow, at.offset);
+    if constexpr (sizeof(Real) == sizeof(std::uint32_t))
+      return hn::GatherOffset(Tag(), first, hn::BitCast(offset, offsets));
+    else
+      return hn::GatherOffset(Tag(), first,
+                              hn::BitCast(offset, hn::PromoteTo(hn::RebindToUnsigned<Tag>(), offsets)));
   }
   static HWY_INLINE void store_all(V value, Real* first, const Strided& at) {
     hn::StoreU(value, Tag(), at_offset(first, at.first));

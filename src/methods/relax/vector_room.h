@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
 
+#include "relax/aligned_vector.h"
 #include "relax/packed.h"
 
 namespace taut {
@@ -45,12 +45,12 @@ class VectorRoom {
   RoomView<const Real> read() const { return {numbers(), component_}; }
 
  private:
-  Real* numbers() { return &storage_.data()->x; }
-  const Real* numbers() const { return &storage_.data()->x; }
+  Real* numbers() { return storage_.data(); }
+  const Real* numbers() const { return storage_.data(); }
 
   std::size_t between_ = 4;    // numbers from one x to the next
   std::size_t component_ = 1;  // and from an x to its y
-  std::vector<Packed<Real>> storage_;
+  AlignedVector<Real> storage_;
 };
 
 template <class Real>
@@ -61,9 +61,9 @@ VectorRoom<Real>::VectorRoom(std::size_t size, Layout layout) {
     constexpr std::size_t page = 4096 / sizeof(Real), beyond = 64 / sizeof(Real);
     between_ = 1;
     component_ = (size + beyond + page - 1) / page * page + page / 3 / beyond * beyond;
-    storage_.resize((3 * component_ + 3) / 4);
+    storage_.resize(3 * component_);
   } else {
-    storage_.resize(size);
+    storage_.resize(4 * size);
   }
 }
 

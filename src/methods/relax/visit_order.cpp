@@ -123,6 +123,12 @@ std::pair<Index, Index> ends_of(const Model& model, Index link, const std::vecto
   return std::minmax(place[a], place[b]);
 }
 
+// With a place at least in which there is no mass, so that gaps of links end there and not over the next row.
+void end_row(std::vector<Index>& order, std::size_t width) {
+  order.push_back(empty_place);
+  while (order.size() % width != 0) order.push_back(empty_place);
+}
+
 }  // namespace
 
 std::vector<Index> mass_order(const Model& model, const std::vector<Index>& links) {
@@ -157,7 +163,7 @@ std::vector<Index> row_order(const Model& model, const std::vector<Index>& links
           order.push_back(static_cast<Index>(mass));
         else if (step > 1)
           order.push_back(empty_place);
-      while (step > 1 && order.size() % width != 0) order.push_back(empty_place);
+      if (step > 1) end_row(order, width);
     }
     begin = end;
   }
