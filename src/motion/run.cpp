@@ -202,7 +202,8 @@ double Run::energy_at_hand() const {
 // a few passes leave stretched hold a lot of elastic energy while nothing is amiss.
 bool Run::holds_together() {
   const double at_hand = energy_at_hand();
-  if (at_hand > 0.0 && energy_of_masses(*model_, state()).kinetic > policy_.diverged_beyond * at_hand)
+  if (at_hand > 0.0 &&
+      energy_of_masses(*model_, stepper_->motion()).kinetic > policy_.diverged_beyond * at_hand)
     report_.end = RunEnd::diverged;
   return !ended();
 }

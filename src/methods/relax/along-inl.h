@@ -25,7 +25,8 @@ HWY_NOINLINE void note_lost(typename L::V along, std::size_t slot, AlongFound& f
 
 template <class L, bool strided, bool weighted, bool first, bool judged>
 HWY_NOINLINE void relax_along(const LinkArrays<double>& all_links, const LinkStretch& stretch,
-                              RoomView<const double> start, RoomView<double> position, AlongFound& found) {
+                              RoomView<const double> start, RoomView<double> position,
+                              [[maybe_unused]] Ahead<double>& ahead, AlongFound& found) {
   using V = typename L::V;
   const typename L::Tag tag;
   const V zero = hn::Zero(tag), half = hn::Set(tag, 0.5), plain_factor = hn::Set(tag, all_links.plain_factor);
@@ -77,7 +78,10 @@ HWY_NOINLINE void relax_along(const LinkArrays<double>& all_links, const LinkStr
     move_links<L, weighted>(moves, d0, on_a, on_b, at_a, at_b, position);
   };
   if constexpr (L::split && strided)
-    for (std::size_t slot = stretch.begin; slot < stretch.end; slot += L::count) correct_and_move(slot);
+    for (std::size_t slot = stretch.begin; slot < stretch.end; slot += L::count) {
+      ahead.fetch(slot / L::count);
+      correct_and_move(slot);
+    }
   else
     for_each_group(stretch.begin, stretch.end, L::count, correct, move);
   if constexpr (judged) {
@@ -89,7 +93,7 @@ HWY_NOINLINE void relax_along(const LinkArrays<double>& all_links, const LinkStr
 
 template <class L, bool first, bool judged, class... Where>
 HWY_INLINE void relax_stretch_along(const LinkArrays<double>& links, const LinkStretch& stretch,
-                                    AlongFound& found, Where... where) {
+                                    AlongFound& found, Where&... where) {
   if (stretch.weighted)
     relax_along<L, false, true, first, judged>(links, stretch, where..., found);
   else if (stretch.stride == 0)
@@ -105,13 +109,14 @@ HWY_INLINE bool relax_stretches_along(const LinkArrays<double>& links, std::span
                                       RoomView<double> position, AlongFound& found) {
   found.worst = 0.0;
   return visit_stretches<L>(
-      stretches, motion, masses, place.last, position, [&](const LinkStretch& stretch) TAUT_INLINED {
+      stretches, motion, masses, place.last, position,
+      [&](const LinkStretch& stretch, Ahead<double>& ahead) TAUT_INLINED {
         if (place.first)
-          judged ? relax_stretch_along<L, true, true>(links, stretch, found, start, position)
-                 : relax_stretch_along<L, true, false>(links, stretch, found, start, position);
+          judged ? relax_stretch_along<L, true, true>(links, stretch, found, start, position, ahead)
+                 : relax_stretch_along<L, true, false>(links, stretch, found, start, position, ahead);
         else
-          judged ? relax_stretch_along<L, false, true>(links, stretch, found, start, position)
-                 : relax_stretch_along<L, false, false>(links, stretch, found, start, position);
+          judged ? relax_stretch_along<L, false, true>(links, stretch, found, start, position, ahead)
+                 : relax_stretch_along<L, false, false>(links, stretch, found, start, position, ahead);
       });
 }
 

@@ -8,16 +8,17 @@ namespace taut {
 
 void AlongRelaxation::links_changed(const State& state) {
   Relaxation<double>::links_changed(state);
-  multiplier_earlier_ = multiplier_before_;
+  multiplier_before_ = multiplier_earlier_ = arrays_.multiplier;
 }
 
 void AlongRelaxation::begin_step(double h, double answer) {
   std::swap(multiplier_before_, multiplier_earlier_);
+  std::swap(arrays_.multiplier, multiplier_before_);
   Relaxation<double>::begin_step(h, answer);
 }
 
 void AlongRelaxation::take_back() {
-  Relaxation<double>::take_back();
+  std::swap(arrays_.multiplier, multiplier_before_);
   std::swap(multiplier_before_, multiplier_earlier_);
 }
 

@@ -39,8 +39,8 @@ class AlongRelaxation final : public Relaxation<double> {
   void give_continued(double scale, std::vector<double>& continued, std::vector<double>& last) const;
 
  private:
-  std::vector<AlongFound> found_;           // by each section
-  std::vector<double> multiplier_earlier_;  // of the step before that before
+  std::vector<AlongFound> found_;                                 // by each section
+  AlignedVector<double> multiplier_before_, multiplier_earlier_;  // of the steps before
 };
 
 }  // namespace taut

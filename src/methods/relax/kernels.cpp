@@ -20,6 +20,7 @@
 #include <hwy/highway.h>
 
 #include "relax/along-inl.h"
+#include "relax/energy-inl.h"
 #include "relax/split_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -61,6 +62,12 @@ bool finite_singles(Layout layout, RoomView<const float> position, std::size_t b
                                  : finite<Lanes<float> >(position, begin, end);
 }
 
+double energy_of_masses_moved(Layout layout, const MotionEnergy& of, std::span<const double> mass,
+                              RoomView<const double> now, RoomView<const double> before) {
+  return layout == Layout::split ? energy_of_split(of, mass, now, before)
+                                 : energy_of_packed(of, mass, now, before);
+}
+
 }  // namespace taut::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -73,6 +80,7 @@ HWY_EXPORT(relax_singles);
 HWY_EXPORT(relax_all_along);
 HWY_EXPORT(finite_doubles);
 HWY_EXPORT(finite_singles);
+HWY_EXPORT(energy_of_masses_moved);
 
 template <>
 bool relax_along_present(Layout layout, const LinkArrays<double>& links,
@@ -100,6 +108,11 @@ bool are_finite(Layout layout, RoomView<const double> position, std::size_t begi
 template <>
 bool are_finite(Layout layout, RoomView<const float> position, std::size_t begin, std::size_t end) {
   return HWY_DYNAMIC_DISPATCH(finite_singles)(layout, position, begin, end);
+}
+
+double energy_of_motion(Layout layout, const MotionEnergy& of, std::span<const double> mass,
+                        RoomView<const double> now, RoomView<const double> before) {
+  return HWY_DYNAMIC_DISPATCH(energy_of_masses_moved)(layout, of, mass, now, before);
 }
 
 bool relax_along_start(Layout layout, const LinkArrays<double>& links, std::span<const LinkStretch> stretches,

@@ -77,9 +77,11 @@ struct LinkArrays {
   const Real* gamma;              // γ, of damped ones
 };
 
-/// Which pass of a step it is. Before the first one multipliers are 0, whatever they hold.
+/// Which pass of a step it is. Before the first one multipliers are 0, whatever they hold. A step of one pass
+/// need not keep them.
 struct PassPlace {
   bool first = true, last = true;
+  bool keeps = true;
 };
 
 /// Masses, by their places, that some stretches are about: they move freely just ahead of the first link that
@@ -100,6 +102,18 @@ bool relax_along_present(Layout layout, const LinkArrays<Real>& links, std::span
 /// Whether the masses [begin, end) are finite.
 template <class Real>
 bool are_finite(Layout layout, RoomView<const Real> position, std::size_t begin, std::size_t end);
+
+/// What the energy of masses is worked out from that have come where they are in a step: with
+///   v = (x − before)·inverse_h·keep + gain,  E = m (v²/2 + lift·x)
+struct MotionEnergy {
+  double inverse_h, keep;     // 1/s, –
+  Packed<double> gain, lift;  // m/s; −gravity, m/s²
+};
+
+/// The sum of it (J). `mass`: kg, by place; where masses are split, filled up with 0 to a
+/// multiple of four.
+double energy_of_motion(Layout layout, const MotionEnergy& of, std::span<const double> mass,
+                        RoomView<const double> now, RoomView<const double> before);
 
 /// A link that has turned by 90° or more within a step, or is not finite.
 struct LostLink {

@@ -59,7 +59,6 @@ void LineRelaxation::links_changed(const State& state) {
       length_[slot] = model_.links.length[visited_[slot]];
     }
   multiplier_.assign(visited_.size(), 0.0);
-  multiplier_before_ = multiplier_;
   move_.assign(visited_.size(), 0.0);
   diagonal_.assign(visited_.size(), 1.0);
   for (auto* values : {&scaled_, &gamma_}) values->assign(special_slot_.size(), 0.0);
@@ -147,7 +146,7 @@ void LineRelaxation::share_out(std::size_t first_group) {
   begin_.push_back(std::move(begin));
 }
 
-void LineRelaxation::settle(double h, double answer) {
+void LineRelaxation::begin_step(double h, double answer) {
   if (h == settled_h_ && answer == settled_answer_) return;
   settled_h_ = h;
   settled_answer_ = answer;
@@ -169,11 +168,6 @@ void LineRelaxation::settle_special(double h) {
     damped_[i] = 1.0 / (1.0 + gamma_[i]);
     diagonal_[slot] += scaled_[i] * damped_[i] * stiffening_[slot];
   }
-}
-
-void LineRelaxation::begin_step(double h, double answer) {
-  settle(h, answer);
-  std::swap(multiplier_, multiplier_before_);
 }
 
 std::span<const LineGroup> LineRelaxation::groups_of(std::size_t colour, std::size_t part) const {

@@ -36,8 +36,7 @@ class LineRelaxation {
 
   const MassPlaces<double>& places() const { return places_; }
 
-  /// Takes the multipliers back to those of the step before, where the passes of this one have failed.
-  void take_back() { std::swap(multiplier_, multiplier_before_); }
+  static constexpr bool always_keeps = true;
 
   /// Begins a step of h seconds. `answer` is what a mass moves by beside its inverse mass, as
   /// Relaxation::begin_step() has it.
@@ -74,7 +73,6 @@ class LineRelaxation {
   void add_group(const LinkLines& lines, std::span<const Lane> lanes, LineGroup group);
   void add_lane(const LinkLines& lines, const Lane& lane, std::size_t slot);
   void share_out(std::size_t first_group);
-  void settle(double h, double answer);
   void settle_special(double h);
   std::span<const LineGroup> groups_of(std::size_t colour, std::size_t part) const;
   template <class Task>
@@ -94,7 +92,7 @@ class LineRelaxation {
   // One a slot.
   std::vector<Index> mass_, visited_;  // empty_place and no_link where a lane is filled up
   std::vector<std::uint32_t> place_offset_;
-  std::vector<double> move_, length_, stiffening_, diagonal_, multiplier_, multiplier_before_;
+  std::vector<double> move_, length_, stiffening_, diagonal_, multiplier_;
   std::vector<std::size_t> special_slot_;  // by special place
   std::vector<double> scaled_, gamma_, damped_;
 

@@ -6,7 +6,6 @@
 
 #include "relax/packed_shake.h"
 
-#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -122,36 +121,13 @@ class PackedShake final : public Stepper {
   std::optional<double> energy() override {
     if (at_.velocities) return std::nullopt;
     const FieldKick end = end_kick();
-    const bool split = links_.places().layout == Layout::split;
-    double energy = 0.0;
-    for (int k = 0; k < 3; ++k)
-      energy +=
-          split ? energy_along<1>(k, end) : energy_along<sizeof(Packed<double>) / sizeof(double)>(k, end);
-    return energy;
+    return energy_of_motion(links_.places().layout,
+                            {1.0 / at_.h, end.keep, packed_vector(end.gain), packed_vector(-model_.gravity)},
+                            mass_at_place_, present_.read(), previous_.read());
   }
 
  private:
   using Masses = AlongRelaxation::Masses;
-
-  // Of motion and height along an axis. The x of masses lie so many numbers apart. Summed in parts, so that
-  // the compiler may work at several at once.
-  template <std::size_t apart>
-  double energy_along(int axis, const FieldKick& end) const {
-    constexpr std::size_t parts = 4;
-    const std::size_t first = static_cast<std::size_t>(axis) * present_.read().component;
-    const double *now = present_.read().first + first, *before = previous_.read().first + first;
-    const double inverse_h = 1.0 / at_.h, gain = end.gain[axis], height = -model_.gravity[axis];
-    std::array<double, parts> sums{};
-    const auto add = [&](std::size_t place, double& sum) {
-      const double x = now[place * apart], v = (x - before[place * apart]) * inverse_h * end.keep + gain;
-      sum += mass_at_place_[place] * (0.5 * v * v + height * x);
-    };
-    std::size_t place = 0;
-    for (; place + parts <= mass_at_place_.size(); place += parts)
-      for (std::size_t i = 0; i < parts; ++i) add(place + i, sums[i]);
-    for (; place < mass_at_place_.size(); ++place) add(place, sums[0]);
-    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
-  }
 
   // Where steps have come to.
   struct Going {
@@ -173,6 +149,8 @@ class PackedShake final : public Stepper {
       mass_at_place_.clear();
       for (const Index mass : links_.places().masses)
         mass_at_place_.push_back(mass == empty_place ? 0.0 : model_.masses.mass[mass]);
+      if (links_.places().layout == Layout::split)
+        while (mass_at_place_.size() % 4 != 0) mass_at_place_.push_back(0.0);
     }
     links_.places().load(state_.velocity, previous_);
     links_.places().load(state_.position, present_);
@@ -182,7 +160,9 @@ class PackedShake final : public Stepper {
   }
 
   FieldKick end_kick() const { return field_kick(model_, 0.5 * at_.h, DragAt::end); }
-  static Packed<double> packed_gain(const Vec3& gain) { return {gain.x(), gain.y(), gain.z(), 0.0}; }
+  static Packed<double> packed_vector(const Vec3& vector) {
+    return {vector.x(), vector.y(), vector.z(), 0.0};
+  }
   static Vec3 at(const Masses& masses, std::size_t place) {
     const Packed<double> vector = masses.at(place);
     return {vector.x, vector.y, vector.z};
@@ -195,9 +175,15 @@ class PackedShake final : public Stepper {
   void move(double h, Masses& moved, StepReport& report) {
     const FieldKick end = end_kick();
     const FieldKick begun = field_kick(model_, 0.5 * h, DragAt::start);
-    const FreeMotion<double> motion{
-        previous_.read(),      present_.read(),        at_.velocities, 1.0 / at_.h, end.keep, begun.keep, h,
-        packed_gain(end.gain), packed_gain(begun.gain)};
+    const FreeMotion<double> motion{previous_.read(),
+                                    present_.read(),
+                                    at_.velocities,
+                                    1.0 / at_.h,
+                                    end.keep,
+                                    begun.keep,
+                                    h,
+                                    packed_vector(end.gain),
+                                    packed_vector(begun.gain)};
     links_.places().load_pins(state_.position, moved);
     links_.begin_step(1.0, 1.0);
     for (int made = 0; made < passes_; ++made) {
@@ -264,7 +250,7 @@ class PackedShake final : public Stepper {
   KeptPins pins_before_, pins_at_end_;
   Masses previous_, present_, next_;   // the free masses before, now, and being made; or before that
   Masses probed_;                      // at the end of a step that is not made
-  std::vector<double> mass_at_place_;  // kg
+  std::vector<double> mass_at_place_;  // kg, filled up for the kernel
   std::vector<double> start_tension_, tension_kept_, tension_before_kept_;  // N
 };
 

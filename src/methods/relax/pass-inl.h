@@ -40,6 +40,23 @@ struct Moves {
   typename L::V a, b;
 };
 
+// What the masses moved next are moved from and to, fetched while links are relaxed: to wait for roots and
+// quotients and then for memory would take the sum of both.
+template <class Real>
+struct Ahead {
+  RoomView<const Real> previous{}, present{}, next{};
+  std::size_t begin = 0, end = 0;  // masses
+
+  // Eight masses, in single precision sixteen, with every eighth group of links.
+  HWY_INLINE void fetch(std::size_t group) {
+    constexpr std::size_t masses = 64 / sizeof(Real);
+    if (group % 8 != 0 || begin >= end) return;
+    for (const RoomView<const Real>& room : {previous, present, next})
+      for (std::size_t k = 0; k < 3; ++k) __builtin_prefetch(room.first + k * room.component + begin, 0, 2);
+    begin += masses;
+  }
+};
+
 // Moves masses of links along these rows: a's, from on_a, that way, and b's the other.
 template <class L, bool weighted, class Places>
 HWY_INLINE void move_links(const Moves<L>& moves, const typename L::Rows& along, const typename L::Rows& on_a,
@@ -67,10 +84,11 @@ HWY_INLINE void for_each_group(std::size_t begin, std::size_t end, std::size_t c
   move(end - count, moves);
 }
 
-template <class L, bool strided, bool weighted, bool soft, bool damped, bool first>
+template <class L, bool strided, bool weighted, bool soft, bool damped, bool first, bool keeps>
 HWY_NOINLINE void relax_present(const LinkArrays<typename L::Real>& all_links, const LinkStretch& stretch,
                                 [[maybe_unused]] RoomView<const typename L::Real> start,
-                                RoomView<typename L::Real> position) {
+                                RoomView<typename L::Real> position,
+                                [[maybe_unused]] Ahead<typename L::Real>& ahead) {
   using Real = typename L::Real;
   using V = typename L::V;
   const typename L::Tag tag;
@@ -102,7 +120,7 @@ HWY_NOINLINE void relax_present(const LinkArrays<typename L::Real>& all_links, c
     // Asked for last, so that no quotient waits for it.
     V change = hn::IfThenElseZero(has_direction, hn::Mul(over, factor));
     if constexpr (!first) change = hn::Add(multiplier, change);
-    hn::StoreU(change, tag, links.multiplier + slot);
+    if constexpr (keeps) hn::StoreU(change, tag, links.multiplier + slot);
     const V shift = hn::IfThenElseZero(has_direction, hn::Mul(over, inverse_distance));
     V share_a = half, share_b = half;
     if constexpr (weighted || soft) share_a = hn::LoadU(tag, links.share_a + (special + slot));
@@ -127,31 +145,34 @@ HWY_NOINLINE void relax_present(const LinkArrays<typename L::Real>& all_links, c
   };
   // Those of a sheet without damping wait so briefly that loading their masses twice costs more.
   if constexpr (L::split && strided && !damped)
-    for (std::size_t slot = stretch.begin; slot < stretch.end; slot += L::count) correct_and_move(slot);
+    for (std::size_t slot = stretch.begin; slot < stretch.end; slot += L::count) {
+      ahead.fetch(slot / L::count);
+      correct_and_move(slot);
+    }
   else
     for_each_group(stretch.begin, stretch.end, L::count, correct, move);
 }
 
-template <class L, bool strided, bool weighted, bool first, class... Where>
+template <class L, bool strided, bool weighted, bool first, bool keeps, class... Where>
 HWY_INLINE void relax_soft_or_not(const LinkArrays<typename L::Real>& links, const LinkStretch& stretch,
-                                  Where... where) {
+                                  Where&... where) {
   if (stretch.damped)
-    relax_present<L, strided, weighted, true, true, first>(links, stretch, where...);
+    relax_present<L, strided, weighted, true, true, first, keeps>(links, stretch, where...);
   else if (stretch.soft)
-    relax_present<L, strided, weighted, true, false, first>(links, stretch, where...);
+    relax_present<L, strided, weighted, true, false, first, keeps>(links, stretch, where...);
   else
-    relax_present<L, strided, weighted, false, false, first>(links, stretch, where...);
+    relax_present<L, strided, weighted, false, false, first, keeps>(links, stretch, where...);
 }
 
-template <class L, bool first, class... Where>
+template <class L, bool first, bool keeps, class... Where>
 HWY_INLINE void relax_stretch(const LinkArrays<typename L::Real>& links, const LinkStretch& stretch,
-                              Where... where) {
+                              Where&... where) {
   if (stretch.weighted)
-    relax_soft_or_not<L, false, true, first>(links, stretch, where...);
+    relax_soft_or_not<L, false, true, first, keeps>(links, stretch, where...);
   else if (stretch.stride == 0)
-    relax_soft_or_not<L, false, false, first>(links, stretch, where...);
+    relax_soft_or_not<L, false, false, first, keeps>(links, stretch, where...);
   else
-    relax_soft_or_not<L, true, false, first>(links, stretch, where...);
+    relax_soft_or_not<L, true, false, first, keeps>(links, stretch, where...);
 }
 
 // The free motion of as many numbers as a vector has, from the one at `number` on.
@@ -237,13 +258,17 @@ HWY_INLINE bool finite(RoomView<const Real> masses, std::size_t begin, std::size
   }
 }
 
-// Calls relax(stretch) for each, with masses moved just ahead of the first link and looked at after the last.
+// Calls relax(stretch, ahead) for each, with masses moved just ahead of the first link and looked at after
+// the last.
 template <class L, class Real, class Relax>
 HWY_INLINE bool visit_stretches(std::span<const LinkStretch> stretches, const FreeMotion<Real>* motion,
                                 const MassRange& masses, bool last, RoomView<Real> position,
                                 const Relax& relax) {
   std::size_t begun = masses.begin, done = masses.settled_begin;
   bool good = true;
+  Ahead<Real> ahead;
+  if (L::split && motion != nullptr)
+    ahead = {motion->previous, motion->present, read(position), 0, masses.end};
   const auto begin_until = [&](std::size_t end) TAUT_INLINED {
     if (motion != nullptr && end > begun) move_range<L>(*motion, begun, end, position);
     begun = std::max(begun, end);
@@ -254,7 +279,8 @@ HWY_INLINE bool visit_stretches(std::span<const LinkStretch> stretches, const Fr
   };
   for (const LinkStretch& stretch : stretches) {
     begin_until(stretch.begun);
-    relax(stretch);
+    ahead.begin = std::max(ahead.begin, begun);
+    relax(stretch, ahead);
     end_until(std::min({stretch.done, begun, masses.settled_end}));
   }
   begin_until(masses.end);
@@ -267,9 +293,13 @@ HWY_INLINE bool relax_stretches(const LinkArrays<Real>& links, std::span<const L
                                 RoomView<const Real> start, const FreeMotion<Real>* motion,
                                 const MassRange& masses, PassPlace place, RoomView<Real> position) {
   return visit_stretches<L>(stretches, motion, masses, place.last, position,
-                            [&](const LinkStretch& stretch) TAUT_INLINED {
-                              place.first ? relax_stretch<L, true>(links, stretch, start, position)
-                                          : relax_stretch<L, false>(links, stretch, start, position);
+                            [&](const LinkStretch& stretch, Ahead<Real>& ahead) TAUT_INLINED {
+                              if (!place.first)
+                                relax_stretch<L, false, true>(links, stretch, start, position, ahead);
+                              else if (place.keeps)
+                                relax_stretch<L, true, true>(links, stretch, start, position, ahead);
+                              else
+                                relax_stretch<L, true, false>(links, stretch, start, position, ahead);
                             });
 }
 

@@ -41,7 +41,6 @@ void Relaxation<Real>::links_changed(const State& state) {
     if (lay_.visited[slot] != no_link) slot_[lay_.visited[slot]] = static_cast<std::uint32_t>(slot);
   arrays_ = {};
   arrays_.multiplier.assign(lay_.visited.size(), Real(0));
-  multiplier_before_ = arrays_.multiplier;
   for (auto* values : {&arrays_.factor, &arrays_.share_a, &arrays_.share_b, &arrays_.scaled, &arrays_.gamma})
     values->assign(lay_.special.size(), Real(0));
   settled_h_ = settled_answer_ = 0;
@@ -113,7 +112,6 @@ LinkArrays<Real> Relaxation<Real>::arrays() {
 template <class Real>
 void Relaxation<Real>::begin_step(Real h, Real answer) {
   settle(h, answer);
-  std::swap(arrays_.multiplier, multiplier_before_);
 }
 
 template <class Real>

@@ -39,8 +39,8 @@ class Relaxation {
   /// Where its masses lie: split where links follow each other as those of a sheet do.
   const MassPlaces<Real>& places() const { return lay_; }
 
-  /// Takes the multipliers back to those of the step before, where the passes of this one have failed.
-  void take_back() { std::swap(arrays_.multiplier, multiplier_before_); }
+  /// Whether multipliers are kept in every pass.
+  static constexpr bool always_keeps = false;
 
   /// Begins a step of h seconds. `answer` is what a mass moves by beside its inverse mass:
   /// 1/(1 + h·drag) where drag is implicit in all forces.
@@ -54,10 +54,10 @@ class Relaxation {
   /// free masses come to `position` by it first. False when one is not finite, looked at in the last pass.
   bool pass(const Masses& start, Masses& position, PassPlace place, const FreeMotion<Real>* motion = nullptr);
 
-  /// λ of a link that is visited: the sum over the passes of the step.
+  /// λ of a link that is visited: the sum over the passes of the last step that has kept them.
   Real multiplier(Index link) const { return arrays_.multiplier[slot_[link]]; }
 
-  /// values[link] = scale·λ, with the sum λ over the passes of the step; after passes along the start, λ
+  /// values[link] = scale·λ, with that λ; after passes along the start, λ
   /// times the link's length.
   void give_multipliers(double scale, std::vector<double>& values) const;
   void give_multipliers_along(double scale, std::vector<double>& values) const;
@@ -70,15 +70,14 @@ class Relaxation {
   std::shared_ptr<Workers> workers_;
 
   struct Arrays {
-    std::vector<Real> multiplier;                               // one a slot
-    std::vector<Real> factor, share_a, share_b, scaled, gamma;  // one a special place
+    AlignedVector<Real> multiplier;                               // one a slot
+    AlignedVector<Real> factor, share_a, share_b, scaled, gamma;  // one a special place
   };
   // Whether the masses around where two parts meet are.
   bool unsettled_are_finite(const Masses& position) const;
 
   Arrays arrays_;
-  std::vector<Real> multiplier_before_;  // of the step before
-  std::vector<std::uint32_t> slot_;      // of each link that is visited
+  std::vector<std::uint32_t> slot_;  // of each link that is visited
 
  private:
   void list_links();

@@ -61,6 +61,7 @@ class RelaxationStepper final : public FileOrderStepper {
       std::swap(state.position, start_);
       std::swap(state.velocity, velocity_);
       state.time = start_time;
+      packed_ = packed_start_;  // what is filled up with masses that no step moves may be no number
       report.status = crowded      ? StepStatus::crowded
                       : kept_apart ? StepStatus::not_finite
                                    : StepStatus::pressed_through;

@@ -164,6 +164,9 @@ class Stepper {
   /// be made.
   virtual const State& store() = 0;
 
+  /// The same, but where that would cost something tensions are those of an earlier step.
+  virtual const State& motion() { return store(); }
+
   /// Where Capabilities::chooses_steps: the state at a time within the last step, and the links that have
   /// come to their thresholds at its end, which are to be broken before the next one.
   virtual State between(double) { return store(); }
