@@ -23,7 +23,7 @@ HWY_NOINLINE void note_lost(typename L::V along, std::size_t slot, AlongFound& f
   }
 }
 
-template <class L, bool strided, bool weighted, bool first, bool judged>
+template <class L, bool strided, bool alike, bool weighted, bool first, bool judged>
 HWY_NOINLINE void relax_along(const LinkArrays<double>& all_links, const LinkStretch& stretch,
                               RoomView<const double> start, RoomView<double> position,
                               [[maybe_unused]] Ahead<double>& ahead, AlongFound& found) {
@@ -32,12 +32,14 @@ HWY_NOINLINE void relax_along(const LinkArrays<double>& all_links, const LinkStr
   const V zero = hn::Zero(tag), half = hn::Set(tag, 0.5), plain_factor = hn::Set(tag, all_links.plain_factor);
   const LinkArrays<double> links = all_links;
   const Ends<double, strided> a(links.a, stretch), b(links.b, stretch);
+  [[maybe_unused]] const std::size_t first_slot = stretch.begin;
   [[maybe_unused]] const std::size_t special = stretch.special - stretch.begin;
   [[maybe_unused]] V worst = zero;
   const auto moves_of = [&](std::size_t slot, const Transposed<V>& d0, const Transposed<V>& d) TAUT_INLINED {
-    const V length = hn::LoadU(tag, links.length + slot), square = hn::Mul(length, length);
+    const V length = hn::LoadU(tag, links.length + (alike ? first_slot : slot)),
+            square = hn::Mul(length, length);
     V along = dot(d, d0), excess = hn::Sub(dot(d, d), square);
-    if constexpr (L::split && strided) {
+    if constexpr (L::split && strided && !alike) {
       const auto there = hn::Ge(length, zero);
       along = hn::IfThenElse(there, along, square);
       excess = hn::IfThenElseZero(there, excess);
@@ -95,11 +97,13 @@ template <class L, bool first, bool judged, class... Where>
 HWY_INLINE void relax_stretch_along(const LinkArrays<double>& links, const LinkStretch& stretch,
                                     AlongFound& found, Where&... where) {
   if (stretch.weighted)
-    relax_along<L, false, true, first, judged>(links, stretch, where..., found);
+    relax_along<L, false, false, true, first, judged>(links, stretch, where..., found);
   else if (stretch.stride == 0)
-    relax_along<L, false, false, first, judged>(links, stretch, where..., found);
+    relax_along<L, false, false, false, first, judged>(links, stretch, where..., found);
+  else if (stretch.alike)
+    relax_along<L, true, true, false, first, judged>(links, stretch, where..., found);
   else
-    relax_along<L, true, false, first, judged>(links, stretch, where..., found);
+    relax_along<L, true, false, false, first, judged>(links, stretch, where..., found);
 }
 
 template <class L>

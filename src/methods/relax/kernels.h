@@ -23,6 +23,7 @@ struct LinkStretch {
   /// to the next, and slots may have no link, if their length is below 0: for kernels add nothing, ±0, to
   /// what lies at their ends.
   std::size_t ends = 0, stride = 0;
+  bool alike = false;     ///< rigid ones with a stride and no gaps, as long as the first one: it tells all
   bool weighted = false;  ///< unequal masses, or a pin
   bool soft = false;      ///< with compliance
   bool damped = false;    ///< and damping

@@ -96,14 +96,14 @@ class LayingOut {
     }
   }
 
-  // Takes out of some links between free masses those whose ends lie beside each other, and makes a stretch
-  // of them. Its vectors begin where those of masses do, so that no two of a colour lie over each other in
+  // Takes out of some links between free masses those whose ends lie beside each other, and makes stretches
+  // of them. Their vectors begin where those of masses do, so that no two of a colour lie over each other in
   // part, for which a processor would wait: where there is no link there is a gap, if there is room for it.
   // Those that would be alone among gaps are left.
   void add_adjoining(std::vector<Index>& links, const LinkStretch& kind) {
     std::map<std::pair<std::ptrdiff_t, std::ptrdiff_t>, std::vector<Index>> vectors;  // by first a, b - a
     for (const Index link : links) vectors[{a(link) / lanes * lanes, b(link) - a(link)}].push_back(link);
-    std::vector<Index> adjoining;
+    std::vector<Index> alike, others;  // without gaps and as long as the first one; and not
     links.clear();
     for (const auto& [ends, those] : vectors) {
       const auto [first, between] = ends;
@@ -111,14 +111,25 @@ class LayingOut {
         links.insert(links.end(), those.begin(), those.end());
         continue;
       }
-      const std::size_t begin = adjoining.size();
-      adjoining.resize(begin + at_once, no_link);
-      for (const Index link : those) adjoining[begin + static_cast<std::size_t>(a(link) - first)] = link;
+      std::vector<Index>& all =
+          !kind.soft && are_alike(alike.empty() ? those.front() : alike.front(), those) ? alike : others;
+      const std::size_t begin = all.size();
+      all.resize(begin + at_once, no_link);
+      for (const Index link : those) all[begin + static_cast<std::size_t>(a(link) - first)] = link;
     }
-    if (adjoining.empty()) return;
     LinkStretch stretch = kind;
     stretch.stride = bytes_between<Real>(out_.layout);
-    add_stretch(adjoining, stretch);
+    stretch.alike = true;
+    if (!alike.empty()) add_stretch(alike, stretch);
+    stretch.alike = false;
+    if (!others.empty()) add_stretch(others, stretch);
+  }
+
+  // Whether these fill a vector, each as long as this one.
+  bool are_alike(Index one, const std::vector<Index>& those) const {
+    const std::vector<double>& length = model_.links.length;
+    return those.size() == at_once &&
+           std::ranges::all_of(those, [&](Index link) { return length[link] == length[one]; });
   }
 
   // Whether there can be slots without a link in a vector whose ends lie from these places on. As they write

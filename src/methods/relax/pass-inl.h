@@ -84,7 +84,7 @@ HWY_INLINE void for_each_group(std::size_t begin, std::size_t end, std::size_t c
   move(end - count, moves);
 }
 
-template <class L, bool strided, bool weighted, bool soft, bool damped, bool first, bool keeps>
+template <class L, bool strided, bool alike, bool weighted, bool soft, bool damped, bool first, bool keeps>
 HWY_NOINLINE void relax_present(const LinkArrays<typename L::Real>& all_links, const LinkStretch& stretch,
                                 [[maybe_unused]] RoomView<const typename L::Real> start,
                                 RoomView<typename L::Real> position,
@@ -97,11 +97,13 @@ HWY_NOINLINE void relax_present(const LinkArrays<typename L::Real>& all_links, c
                            plain_factor = hn::Set(tag, all_links.plain_factor);
   const LinkArrays<Real> links = all_links;  // which no store can change
   const Ends<Real, strided> a(links.a, stretch), b(links.b, stretch);
+  [[maybe_unused]] const std::size_t first_slot = stretch.begin;
   [[maybe_unused]] const std::size_t special = stretch.special - stretch.begin;
   const auto moves_of = [&](std::size_t slot, const Transposed<V>& d) TAUT_INLINED {
-    const V length = hn::LoadU(tag, links.length + slot), distance = hn::Sqrt(dot(d, d));
+    const V length = hn::LoadU(tag, links.length + (alike ? first_slot : slot)),
+            distance = hn::Sqrt(dot(d, d));
     auto has_direction = hn::Gt(distance, zero);
-    if constexpr (L::split && strided) has_direction = hn::And(has_direction, hn::Ge(length, zero));
+    if constexpr (L::split && strided && !alike) has_direction = hn::And(has_direction, hn::Ge(length, zero));
     const V inverse_distance = hn::Div(one, distance);
     V over = hn::Sub(length, distance);
     [[maybe_unused]] V multiplier = zero;
@@ -157,11 +159,11 @@ template <class L, bool strided, bool weighted, bool first, bool keeps, class...
 HWY_INLINE void relax_soft_or_not(const LinkArrays<typename L::Real>& links, const LinkStretch& stretch,
                                   Where&... where) {
   if (stretch.damped)
-    relax_present<L, strided, weighted, true, true, first, keeps>(links, stretch, where...);
+    relax_present<L, strided, false, weighted, true, true, first, keeps>(links, stretch, where...);
   else if (stretch.soft)
-    relax_present<L, strided, weighted, true, false, first, keeps>(links, stretch, where...);
+    relax_present<L, strided, false, weighted, true, false, first, keeps>(links, stretch, where...);
   else
-    relax_present<L, strided, weighted, false, false, first, keeps>(links, stretch, where...);
+    relax_present<L, strided, false, weighted, false, false, first, keeps>(links, stretch, where...);
 }
 
 template <class L, bool first, bool keeps, class... Where>
@@ -171,6 +173,8 @@ HWY_INLINE void relax_stretch(const LinkArrays<typename L::Real>& links, const L
     relax_soft_or_not<L, false, true, first, keeps>(links, stretch, where...);
   else if (stretch.stride == 0)
     relax_soft_or_not<L, false, false, first, keeps>(links, stretch, where...);
+  else if (stretch.alike)
+    relax_present<L, true, true, false, false, false, first, keeps>(links, stretch, where...);
   else
     relax_soft_or_not<L, true, false, first, keeps>(links, stretch, where...);
 }
