@@ -82,20 +82,21 @@ class PackedShake final : public Stepper {
   }
 
   const State& store() override {
-    if (behind_) {
-      behind_ = false;
-      links_.places().give(present_, state_.position);
-      if (at_.velocities) {
-        links_.places().give(previous_, state_.velocity);
-      } else {
-        links_.places().give_difference(previous_, present_, 1.0 / at_.h, state_.velocity);
-        place_pins(model_, state_.time, state_.position, state_.velocity);
-        kick(model_, state_.time, 0.5 * at_.h, state_.velocity, state_.velocity);
-      }
-    }
-    if (tensions_behind_) {
-      tensions_behind_ = false;
+    motion();
+    if (std::exchange(tensions_behind_, false))
       links_.give_continued(lasting_scale(), state_.tension, state_.tension_before);
+    return state_;
+  }
+
+  const State& motion() override {
+    if (!std::exchange(behind_, false)) return state_;
+    links_.places().give(present_, state_.position);
+    if (at_.velocities) {
+      links_.places().give(previous_, state_.velocity);
+    } else {
+      links_.places().give_difference(previous_, present_, 1.0 / at_.h, state_.velocity);
+      place_pins(model_, state_.time, state_.position, state_.velocity);
+      kick(model_, state_.time, 0.5 * at_.h, state_.velocity, state_.velocity);
     }
     return state_;
   }
