@@ -26,7 +26,7 @@ HWY_NOINLINE void note_lost(typename L::V along, std::size_t slot, AlongFound& f
 template <class L, bool strided, bool alike, bool weighted, bool first, bool judged>
 HWY_NOINLINE void relax_along(const LinkArrays<double>& all_links, const LinkStretch& stretch,
                               RoomView<const double> start, RoomView<double> position,
-                              [[maybe_unused]] Ahead<double>& ahead, AlongFound& found) {
+                              [[maybe_unused]] Ahead<L>& ahead, AlongFound& found) {
   using V = typename L::V;
   const typename L::Tag tag;
   const V zero = hn::Zero(tag), half = hn::Set(tag, 0.5), plain_factor = hn::Set(tag, all_links.plain_factor);
@@ -81,7 +81,7 @@ HWY_NOINLINE void relax_along(const LinkArrays<double>& all_links, const LinkStr
   };
   if constexpr (L::split && strided)
     for (std::size_t slot = stretch.begin; slot < stretch.end; slot += L::count) {
-      ahead.fetch(slot / L::count);
+      ahead.go_on(slot / L::count);
       correct_and_move(slot);
     }
   else
@@ -114,7 +114,7 @@ HWY_INLINE bool relax_stretches_along(const LinkArrays<double>& links, std::span
   found.worst = 0.0;
   return visit_stretches<L>(
       stretches, motion, masses, place.last, position,
-      [&](const LinkStretch& stretch, Ahead<double>& ahead) TAUT_INLINED {
+      [&](const LinkStretch& stretch, Ahead<L>& ahead) TAUT_INLINED {
         if (place.first)
           judged ? relax_stretch_along<L, true, true>(links, stretch, found, start, position, ahead)
                  : relax_stretch_along<L, true, false>(links, stretch, found, start, position, ahead);

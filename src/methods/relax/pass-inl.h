@@ -40,20 +40,48 @@ struct Moves {
   typename L::V a, b;
 };
 
-// What the masses moved next are moved from and to, fetched while links are relaxed: to wait for roots and
-// quotients and then for memory would take the sum of both.
-template <class Real>
-struct Ahead {
-  RoomView<const Real> previous{}, present{}, next{};
-  std::size_t begin = 0, end = 0;  // masses
+// The free motion of as many numbers as a vector has, from the one at `number` on.
+template <bool velocities, class Tag, class Real = hn::TFromD<Tag>, class V = hn::Vec<Tag> >
+HWY_INLINE void move_numbers(Tag tag, const FreeMotion<Real>& motion, std::size_t number, V end_gain, V gain,
+                             Real* next) {
+  const V at = hn::LoadU(tag, motion.present.first + number);
+  V velocity = hn::LoadU(tag, motion.previous.first + number);
+  if constexpr (!velocities) {
+    velocity = hn::Mul(hn::Sub(at, velocity), hn::Set(tag, motion.inverse_h));
+    velocity = hn::Add(hn::Mul(velocity, hn::Set(tag, motion.end_keep)), end_gain);
+  }
+  velocity = hn::Add(hn::Mul(velocity, hn::Set(tag, motion.keep)), gain);
+  hn::StoreU(hn::Add(at, hn::Mul(hn::Set(tag, motion.h), velocity)), tag, next + number);
+}
 
-  // Eight masses, in single precision sixteen, with every eighth group of links.
-  HWY_INLINE void fetch(std::size_t group) {
-    constexpr std::size_t masses = 64 / sizeof(Real);
-    if (group % 8 != 0 || begin >= end) return;
-    for (const RoomView<const Real>& room : {previous, present, next})
-      for (std::size_t k = 0; k < 3; ++k) __builtin_prefetch(room.first + k * room.component + begin, 0, 2);
-    begin += masses;
+// The free motion of masses that no link has come to yet, a few at a time between groups of links: so a
+// processor has something to do while it waits for roots and quotients, and need not wait for memory later.
+template <class L>
+struct Ahead {
+  using Real = typename L::Real;
+  const FreeMotion<Real>* motion = nullptr;
+  RoomView<Real> next{};
+  std::size_t begun = 0, end = 0;  // the first mass that has not moved, and where to stop
+
+  // As many as a vector has lanes, with every fourth group: a mass for each four links, as sheets with
+  // diagonals have them.
+  HWY_INLINE void go_on(std::size_t group) {
+    if (group % 4 != 0 || begun + L::count > end) return;
+    const typename L::Tag tag;
+    for (std::size_t k = 0; k < 3; ++k)
+      move_numbers<false>(tag, *motion, k * next.component + begun, hn::Set(tag, (&motion->end_gain.x)[k]),
+                          hn::Set(tag, (&motion->gain.x)[k]), next.first);
+    if (begun % (line / sizeof(Real)) < L::count)
+      fetch(std::min(end - 1, begun + lines_ahead * line / sizeof(Real)));
+    begun += L::count;
+  }
+
+ private:
+  static constexpr std::size_t line = 64, lines_ahead = 32;  // of a cache; bytes
+
+  HWY_INLINE void fetch(std::size_t mass) const {
+    for (const Real* room : {motion->previous.first, motion->present.first, read(next).first})
+      for (std::size_t k = 0; k < 3; ++k) __builtin_prefetch(room + k * next.component + mass, 0, 2);
   }
 };
 
@@ -87,8 +115,7 @@ HWY_INLINE void for_each_group(std::size_t begin, std::size_t end, std::size_t c
 template <class L, bool strided, bool alike, bool weighted, bool soft, bool damped, bool first, bool keeps>
 HWY_NOINLINE void relax_present(const LinkArrays<typename L::Real>& all_links, const LinkStretch& stretch,
                                 [[maybe_unused]] RoomView<const typename L::Real> start,
-                                RoomView<typename L::Real> position,
-                                [[maybe_unused]] Ahead<typename L::Real>& ahead) {
+                                RoomView<typename L::Real> position, [[maybe_unused]] Ahead<L>& ahead) {
   using Real = typename L::Real;
   using V = typename L::V;
   const typename L::Tag tag;
@@ -148,7 +175,7 @@ HWY_NOINLINE void relax_present(const LinkArrays<typename L::Real>& all_links, c
   // Those of a sheet without damping wait so briefly that loading their masses twice costs more.
   if constexpr (L::split && strided && !damped)
     for (std::size_t slot = stretch.begin; slot < stretch.end; slot += L::count) {
-      ahead.fetch(slot / L::count);
+      ahead.go_on(slot / L::count);
       correct_and_move(slot);
     }
   else
@@ -177,20 +204,6 @@ HWY_INLINE void relax_stretch(const LinkArrays<typename L::Real>& links, const L
     relax_present<L, true, true, false, false, false, first, keeps>(links, stretch, where...);
   else
     relax_soft_or_not<L, true, false, first, keeps>(links, stretch, where...);
-}
-
-// The free motion of as many numbers as a vector has, from the one at `number` on.
-template <bool velocities, class Tag, class Real = hn::TFromD<Tag>, class V = hn::Vec<Tag> >
-HWY_INLINE void move_numbers(Tag tag, const FreeMotion<Real>& motion, std::size_t number, V end_gain, V gain,
-                             Real* next) {
-  const V at = hn::LoadU(tag, motion.present.first + number);
-  V velocity = hn::LoadU(tag, motion.previous.first + number);
-  if constexpr (!velocities) {
-    velocity = hn::Mul(hn::Sub(at, velocity), hn::Set(tag, motion.inverse_h));
-    velocity = hn::Add(hn::Mul(velocity, hn::Set(tag, motion.end_keep)), end_gain);
-  }
-  velocity = hn::Add(hn::Mul(velocity, hn::Set(tag, motion.keep)), gain);
-  hn::StoreU(hn::Add(at, hn::Mul(hn::Set(tag, motion.h), velocity)), tag, next + number);
 }
 
 template <class Real, bool velocities>
@@ -268,14 +281,13 @@ template <class L, class Real, class Relax>
 HWY_INLINE bool visit_stretches(std::span<const LinkStretch> stretches, const FreeMotion<Real>* motion,
                                 const MassRange& masses, bool last, RoomView<Real> position,
                                 const Relax& relax) {
-  std::size_t begun = masses.begin, done = masses.settled_begin;
+  constexpr std::size_t farthest = 2048;  // masses ahead, which are still in a cache when links come to them
+  Ahead<L> ahead{motion, position, masses.begin, 0};
+  std::size_t done = masses.settled_begin;
   bool good = true;
-  Ahead<Real> ahead;
-  if (L::split && motion != nullptr)
-    ahead = {motion->previous, motion->present, read(position), 0, masses.end};
   const auto begin_until = [&](std::size_t end) TAUT_INLINED {
-    if (motion != nullptr && end > begun) move_range<L>(*motion, begun, end, position);
-    begun = std::max(begun, end);
+    if (motion != nullptr && end > ahead.begun) move_range<L>(*motion, ahead.begun, end, position);
+    ahead.begun = std::max(ahead.begun, end);
   };
   const auto end_until = [&](std::size_t end) TAUT_INLINED {
     if (last && end > done) good = finite<L>(read(position), done, end) && good;
@@ -283,9 +295,10 @@ HWY_INLINE bool visit_stretches(std::span<const LinkStretch> stretches, const Fr
   };
   for (const LinkStretch& stretch : stretches) {
     begin_until(stretch.begun);
-    ahead.begin = std::max(ahead.begin, begun);
+    if (L::split && motion != nullptr && !motion->velocities)
+      ahead.end = std::min(masses.end, stretch.begun + farthest);
     relax(stretch, ahead);
-    end_until(std::min({stretch.done, begun, masses.settled_end}));
+    end_until(std::min({stretch.done, stretch.begun, masses.settled_end}));
   }
   begin_until(masses.end);
   end_until(masses.settled_end);
@@ -297,7 +310,7 @@ HWY_INLINE bool relax_stretches(const LinkArrays<Real>& links, std::span<const L
                                 RoomView<const Real> start, const FreeMotion<Real>* motion,
                                 const MassRange& masses, PassPlace place, RoomView<Real> position) {
   return visit_stretches<L>(stretches, motion, masses, place.last, position,
-                            [&](const LinkStretch& stretch, Ahead<Real>& ahead) TAUT_INLINED {
+                            [&](const LinkStretch& stretch, Ahead<L>& ahead) TAUT_INLINED {
                               if (!place.first)
                                 relax_stretch<L, false, true>(links, stretch, start, position, ahead);
                               else if (place.keeps)
