@@ -40,11 +40,13 @@
 #include "direct/anderson_mixing.h"
 #include "direct/link_system.h"
 #include "direct/newton_rounds.h"
+#include "direct/path_kernels.h"
 #include "direct/solve_memory.h"
 #include "file_order_stepper.h"
 #include "forces/forces.h"
 #include "forces/free_acceleration.h"
 #include "forces/half_kicks.h"
+#include "forces/mass_kernels.h"
 #include "methods/method.h"
 #include "parameters.h"
 
@@ -72,6 +74,10 @@ class RattleStepper final : public SwappingStepper {
     const std::vector<Index> rigid = whole_rigid_links(model_, state);
     system_ = make_link_system(model_, rigid);
     no_compliance_.assign(rigid.size(), 0.0);
+    start_direction_.resize(rigid.size());
+    direction_.resize(rigid.size());
+    residual_.resize(rigid.size());
+    shortest_ = shortest_length(system_.links);
     lengths_ = {};
     for (const double length : system_.links.length) {
       lengths_.square.push_back(length * length);
@@ -80,6 +86,14 @@ class RattleStepper final : public SwappingStepper {
     factored_along_.resize(0);
     kicks_.links_changed(state);
     limits_.links_changed(state);
+    in_blocks_ = only_fields() && only_falling() && limits_.none() &&
+                 is_plain_chain(system_.links, model_.masses.size());
+  }
+
+  // Whether nothing acts but gravity, loads and drag; and of those no loads, and no pins that move.
+  bool only_fields() const { return kicks_.only_fields() && model_.joints.empty(); }
+  bool only_falling() const {
+    return kicks_.only_fields() && model_.loads.empty() && model_.driven_pins.empty();
   }
 
   StepReport make_step(State& state, double h, double end_time) override {
@@ -120,55 +134,63 @@ class RattleStepper final : public SwappingStepper {
   // One step of order 2 from a time to another, to position_ and velocity_.
   void sub_step(const State& start, double time, double h, double end_time, const Vectors& position,
                 const Vectors& velocity, StepReport& report) {
+    predict(start, time, h, end_time, position, velocity);
+    report.link_solves += kicks_.solves();
+    if (solve_positions(position, report)) solve_velocities(start, h, end_time, position, report);
+  }
+
+  // Where forces take the masses, and what links pulled with before, and what that leaves of the links'
+  // lengths.
+  void predict(const State& start, double time, double h, double end_time, const Vectors& position,
+               const Vectors& velocity) {
+    GrowingExtent moved;
+    begin_measuring();
+    farthest_ = 0.0;
+    for_each_block([&](Extent block) {
+      link_vectors(system_.links, position, start_direction_, block);
+      const Extent masses = masses_among({0, block.end});
+      moved.grow(masses, [&](Extent more) {
+        fall_freely(start, time, h, end_time, position, velocity, more);
+        if (!tension_of_velocities_) guess(start.tension, h, block, more);
+        farthest_ = std::max(farthest_, largest_of(more.size(), to_read(position_, more.begin)));
+      });
+      measure(masses);
+    });
+  }
+
+  // Half a kick at the start, and a drift.
+  void fall_freely(const State& start, double time, double h, double end_time, const Vectors& position,
+                   const Vectors& velocity, Extent masses) {
     const double half = 0.5 * h;
-    link_vectors(system_.links, position, start_direction_);
-    const bool only_fields = kicks_.only_fields() && model_.joints.empty();
-    if (only_fields) {
-      kick_and_drift(model_, time, half, h, position, velocity, velocity_, position_, DragAt::start);
+    if (only_fields()) {
+      kick_and_drift(model_, time, half, h, position, velocity, velocity_, position_, DragAt::start, masses);
     } else {
       kicks_.start(start, time, half, position, velocity, velocity, half_velocity_);
       joints_.act(start, h, 0.5, half_velocity_);
       drift(h, position, half_velocity_, position_);
     }
-    place_pins(model_, end_time, position_, only_fields ? velocity_ : half_velocity_);
-    report.link_solves += kicks_.solves();
+    place_pins(model_, end_time, position_, only_fields() ? velocity_ : half_velocity_);
     limits_.begin_half_kicks(h, position, position_);
-    if (!tension_of_velocities_) guess(start.tension, h);
-    if (!solve_positions(position, report)) return;
-
-    place_pins(model_, end_time, position_, velocity_);
-    if (only_fields) {
-      mean_velocity_and_kick(model_, end_time, half, h, position, position_, velocity_);
-    } else {
-      difference_quotient(h, position, position_, velocity_);
-      place_pins(model_, end_time, position_, velocity_);
-      kicks_.end(start, end_time, half, position_, half_velocity_, velocity_, tension_);
-    }
-    limits_.kick(position_, 1.0 / (1.0 + half * model_.drag), velocity_);
-    joints_.finish(0.5, position_, velocity_);
-    solve_velocities(half, report);
   }
 
   // What links pull with at the start of the step brings positions within O(h³) of where they belong.
-  void guess(const std::vector<double>& tension, double h) {
+  void guess(const std::vector<double>& tension, double h, Extent some, Extent masses) {
     const SystemLinks& links = system_.links;
-    residual_.resize(links.size());
-    for (std::size_t i = 0; i < links.size(); ++i)
+    for (std::size_t i = some.begin; i < some.end; ++i)
       residual_[i] = tension[links.link[i]] * lengths_.inverse_square[i] * links.length[i];
-    apply_impulses(links, start_direction_, residual_, position_, -0.5 * h * h);
+    push(start_direction_, position_, -0.5 * h * h, masses);
   }
 
   bool solve_positions(const Vectors& start, StepReport& report) {
     const SystemLinks& links = system_.links;
-    const double tolerance = length_tolerance(links, position_);
+    const double tolerance = length_tolerance(shortest_, farthest_);
     mixing_.begin();
     double best = infinity, best_before = infinity;  // of these rounds, and of those before
     for (int round = 0; round < most_rounds; ++round) {
-      const double worst = measure_residual(report);
-      if (report.status != StepStatus::done) return false;
+      if (!look_at_misfit(report)) return false;
       const double beyond = limits_.look(position_, &start);
-      if (worst <= tolerance && beyond <= limit_tolerance) return true;
-      best = std::min(best, worst);
+      if (misfit_.worst <= tolerance && beyond <= limit_tolerance) return true;
+      best = std::min(best, misfit_.worst);
       if (round % rounds_to_gain == 0) {
         if (best > std::max(tolerance, least_gain * best_before)) break;
         best_before = std::exchange(best, infinity);
@@ -179,24 +201,31 @@ class RattleStepper final : public SwappingStepper {
       }
       report.rounds += 1;
       report.link_solves += static_cast<std::int64_t>(links.size());
-      apply_impulses(links, start_direction_, residual_, position_, -1.0);
     }
-    measure_residual(report);
-    if (report.status != StepStatus::done) return false;
+    if (!look_at_misfit(report)) return false;
     report.status = StepStatus::not_converged;
     if (links.size() > 0) report.worst_link = worst_link(report.status);
     return false;
   }
 
-  // d and g of every link; returns the largest |g|/l². Reports a link that has lost its direction, or a
-  // number that is no longer finite.
-  double measure_residual(StepReport& report) {
-    const Misfit misfit =
-        measure_lengths(system_.links, position_, start_direction_, lengths_, direction_, residual_);
-    if (misfit.finite && misfit.directed) return misfit.worst;
-    report.status = misfit.finite ? StepStatus::direction_lost : StepStatus::not_finite;
+  void begin_measuring() {
+    misfit_ = {};
+    measured_ = {};
+  }
+  // d and g of the links between masses that have moved, and of all such since begin_measuring() the largest
+  // |g|/l².
+  void measure(Extent moved) {
+    measured_.grow(links_among(moved), [this](Extent more) {
+      misfit_.add(
+          measure_lengths(system_.links, position_, start_direction_, lengths_, direction_, residual_, more));
+    });
+  }
+  // Reports a link that has lost its direction, or a number that is no longer finite.
+  bool look_at_misfit(StepReport& report) const {
+    if (misfit_.finite && misfit_.directed) return true;
+    report.status = misfit_.finite ? StepStatus::direction_lost : StepStatus::not_finite;
     report.worst_link = worst_link(report.status);
-    return misfit.worst;
+    return false;
   }
 
   // The link with the least share of its direction left, or the largest error; one that is not finite.
@@ -214,62 +243,139 @@ class RattleStepper final : public SwappingStepper {
     return system_.links.link[static_cast<std::size_t>(place)];
   }
 
-  // A round's change of the multipliers, in place of the residual.
+  // Solves for a round's change of the multipliers, and moves the masses by it.
   bool solve_round(StepReport& report) {
-    if (!factor_and_solve(start_direction_, report)) return false;
-    if (!limits_.none())
-      limits_.push(system_, direction_, start_direction_, 1.0, residual_, position_);
-    else if (!system_.matrix->takes_unsymmetric())
-      mixing_.mix(residual_);
-    return true;
+    begin_measuring();
+    GrowingExtent moved;
+    const auto move_masses = [&](Extent solved) {
+      if (!limits_.none())
+        limits_.push(system_, direction_, start_direction_, 1.0, residual_, position_);
+      else if (!system_.matrix->takes_unsymmetric())
+        mixing_.mix(residual_);
+      const Extent masses = masses_among(solved);
+      moved.grow(masses, [&](Extent more) { push(start_direction_, position_, -1.0, more); });
+      measure(masses);
+    };
+    return factor_and_solve(start_direction_, {{}, move_masses}, report);
   }
 
   // Factorises J W Cᵀ, or for a net C W Cᵀ unless its matrix already holds that, and solves for the residual;
   // but where limits border the system that is left to them.
-  bool factor_and_solve(const Vectors& columns, StepReport& report) {
+  bool factor_and_solve(const Vectors& columns, const LinkVisits& visits, StepReport& report) {
     LinkMatrix& matrix = *system_.matrix;
-    const bool net = !matrix.takes_unsymmetric();
-    if (net && factored_along_ == columns) {
-      if (limits_.none()) matrix.solve(residual_);
-      return true;
+    if (in_blocks_) {
+      ++report.factorisations;
+      return matrix.factor_and_solve_by_blocks(direction_, columns, no_compliance_, residual_, visits);
     }
-    ++report.factorisations;
-    factored_along_.resize(0);
-    const Vectors& rows = net ? columns : direction_;
-    const bool factored = limits_.none() ? matrix.factor_and_solve(rows, columns, no_compliance_, residual_)
-                                         : matrix.factor(rows, columns, no_compliance_);
-    if (factored && net) factored_along_ = columns;
-    return factored;
+    visits.before(system_.links.all());
+    const bool net = !matrix.takes_unsymmetric();
+    const bool known = net && factored_along_ == columns;
+    if (!known) {
+      ++report.factorisations;
+      factored_along_.resize(0);
+      if (!matrix.factor(net ? columns : direction_, columns, no_compliance_)) return false;
+      if (net) factored_along_ = columns;
+    }
+    if (limits_.none()) matrix.solve(residual_);
+    visits.after(system_.links.all());
+    return true;
   }
 
-  // Along direction_, which solve_positions() has left as that of the end of the step.
-  void solve_velocities(double half, StepReport& report) {
+  // The mean velocities of the step, half a kick at its end, and what links say to both: along direction_,
+  // which solve_positions() has left as that of the end of the step.
+  void solve_velocities(const State& start, double h, double end_time, const Vectors& position,
+                        StepReport& report) {
+    const double half = 0.5 * h;
     const SystemLinks& links = system_.links;
-    along_links(links, direction_, velocity_, residual_);
-    if (!factor_and_solve(direction_, report)) {
+    GrowingExtent answered;
+    const auto kick_masses = [&](Extent some) {
+      end_half_kicks(start, h, end_time, position, masses_at(some));
+      along_links(links, direction_, velocity_, residual_, some);
+    };
+    const auto answer = [&](Extent solved) {
+      if (!limits_.none()) limits_.stop(system_, direction_, position_, residual_, velocity_);
+      if (tension_of_velocities_)
+        for (std::size_t i = 0; i < links.size(); ++i)
+          tension_[links.link[i]] = residual_[i] * links.length[i] * (1.0 + half * model_.drag) / half;
+      limits_.give_tensions(0.5 / (half * half), position_, tension_);
+      answered.grow(masses_among(solved), [&](Extent more) { push(direction_, velocity_, -1.0, more); });
+    };
+    if (factor_and_solve(direction_, {kick_masses, answer}, report))
+      report.link_solves += static_cast<std::int64_t>(links.size());
+    else
       report.status = StepStatus::factorisation_failed;
-      return;
+  }
+
+  void end_half_kicks(const State& start, double h, double end_time, const Vectors& position, Extent masses) {
+    const double half = 0.5 * h;
+    place_pins(model_, end_time, position_, velocity_);
+    if (only_fields()) {
+      mean_velocity_and_kick(model_, end_time, half, h, position, position_, velocity_, masses);
+    } else {
+      difference_quotient(h, position, position_, velocity_);
+      place_pins(model_, end_time, position_, velocity_);
+      kicks_.end(start, end_time, half, position_, half_velocity_, velocity_, tension_);
     }
-    if (!limits_.none()) limits_.stop(system_, direction_, position_, residual_, velocity_);
-    report.link_solves += static_cast<std::int64_t>(links.size());
-    if (tension_of_velocities_)
-      for (std::size_t i = 0; i < links.size(); ++i)
-        tension_[links.link[i]] = residual_[i] * links.length[i] * (1.0 + half * model_.drag) / half;
-    limits_.give_tensions(0.5 / (half * half), position_, tension_);
-    apply_impulses(links, direction_, residual_, velocity_, -1.0);
+    limits_.kick(position_, 1.0 / (1.0 + half * model_.drag), velocity_);
+    joints_.finish(0.5, position_, velocity_);
   }
 
   // With the matrix of the velocities, which the system still holds.
   void solve_tensions(const State& whole, double time, StepReport& report) {
     const SystemLinks& links = system_.links;
-    const bool only_falling = kicks_.only_fields() && model_.loads.empty() && model_.driven_pins.empty();
-    if (!only_falling || !along_links_falling(model_, links, direction_, velocity_, residual_)) {
+    const auto need = [&](Extent some) {
+      if (only_falling() && along_links_falling(model_, links, direction_, velocity_, residual_, some))
+        return;
       kicks_.accelerations(whole, time, position_, velocity_, acceleration_, tension_);
       along_links_moving(links, direction_, acceleration_, velocity_, residual_);
+    };
+    GrowingExtent known;
+    const auto keep = [&](Extent solved) {
+      known.grow(solved, [&](Extent more) {
+        for (std::size_t i = more.begin; i < more.end; ++i)
+          tension_[links.link[i]] = residual_[i] * links.length[i];
+      });
+    };
+    if (in_blocks_) {
+      system_.matrix->solve_by_blocks(residual_, {need, keep});
+    } else {
+      need(links.all());
+      system_.matrix->solve(residual_);
+      keep(links.all());
     }
-    system_.matrix->solve(residual_);
     report.link_solves += static_cast<std::int64_t>(links.size());
-    for (std::size_t i = 0; i < links.size(); ++i) tension_[links.link[i]] = residual_[i] * links.length[i];
+  }
+
+  // Visits the links one block after the other, or all at once.
+  template <class Visit>
+  void for_each_block(const Visit& visit) const {
+    const std::size_t links = system_.links.size(), most = in_blocks_ ? path_block : links;
+    std::size_t begin = 0, end = 0;
+    do {
+      end = std::min(links, begin + most);
+      visit(Extent{begin, end});
+      begin = end;
+    } while (end < links);
+  }
+  // Masses all of whose links are among some, those that some links join, and links both of whose masses are
+  // among some. Only a plain chain is ever asked for less than all.
+  Extent masses_among(Extent links) const {
+    return {links.begin == 0 ? 0 : links.begin + 1,
+            links.end == system_.links.size() ? model_.masses.size() : links.end};
+  }
+  Extent masses_at(Extent links) const {
+    return in_blocks_ ? Extent{links.begin, links.end + 1} : Extent{0, model_.masses.size()};
+  }
+  Extent links_among(Extent masses) const {
+    return {masses.begin, masses.end == model_.masses.size() ? system_.links.size() : masses.end - 1};
+  }
+
+  // Adds factor·W Cᵀ times the residual to some masses, or all of them.
+  void push(const Vectors& columns, Vectors& target, double factor, Extent masses) const {
+    if (in_blocks_)
+      push_chain(system_.links, columns, residual_, target, factor, masses);
+    else
+      apply_impulses(system_.links, columns, residual_, target, factor);
   }
 
   const Model& model_;
@@ -279,6 +385,9 @@ class RattleStepper final : public SwappingStepper {
   JointResistance joints_;
   bool tension_of_velocities_;  // what stops and joints do is no part of the tension at acceleration level
   LinkSystem system_;
+  // Whether all there is is a chain that falls freely. Then a step takes it block by block, and what follows
+  // each other in it meets links and masses at hand; else it takes all at once.
+  bool in_blocks_ = false;
   AndersonMixing mixing_;
   std::vector<double> no_compliance_;
   Vectors factored_along_;  // directions whose symmetric matrix a net's factor holds
@@ -287,6 +396,9 @@ class RattleStepper final : public SwappingStepper {
   Vectors start_direction_, direction_;
   std::vector<double> residual_;  // g, m²
   SquaredLengths lengths_;
+  double shortest_ = 1.0, farthest_ = 0.0;  // length and, at first in a step, coordinate (m)
+  Misfit misfit_;
+  GrowingExtent measured_;
 };
 
 constexpr std::array<std::string_view, 2> orders{"2", "4"};

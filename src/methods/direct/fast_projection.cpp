@@ -32,6 +32,7 @@ FastProjection::FastProjection(const Model& model, LinkSystem system, const Stat
     compliant_ = compliant_ || !model_.links.rigid(link);
   }
   const std::size_t count = system_.links.size();
+  direction_.resize(count);
   distance_.resize(count);
   residual_.resize(count);
   multipliers_.resize(count);
@@ -100,7 +101,8 @@ void FastProjection::prepare(const Vectors& start, double h, double answer) {
 // r of every link and its unit direction; returns the largest |r|/l.
 double FastProjection::measure_residual(const Vectors& position, double h, StepReport& report) {
   const SystemLinks& links = system_.links;
-  Misfit misfit = measure_stretches(links, position, inverse_length_, direction_, distance_, residual_);
+  Misfit misfit = measure_stretches(links, position, inverse_length_, direction_, distance_, residual_,
+                                    system_.links.all());
   if (!misfit.directed && misfit.finite) {
     const auto lost = std::find(distance_.begin(), distance_.end(), 0.0) - distance_.begin();
     report.status = StepStatus::direction_lost;

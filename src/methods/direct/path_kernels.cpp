@@ -3,6 +3,8 @@
 
 #include "direct/path_kernels.h"
 
+#include <algorithm>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "direct/path_kernels.cpp"
 // Vectors of unknown size can't be held in a struct.
@@ -17,7 +19,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace taut::HWY_NAMESPACE {
 
-void fill_path_of(const AxesToRead& rows, const AxesToRead& columns, const PathEntries& to) {
+void fill_path_of(const AxesToRead& rows, const AxesToRead& columns, const PathEntries& to, Extent links) {
   const auto fill_entry = [&](auto tag, const auto& row, const auto& column, std::size_t i) TAUT_INLINED {
     hn::StoreU(hn::Add(hn::Mul(hn::LoadU(tag, to.weight + i), product(row, column)),
                        hn::LoadU(tag, to.diagonal + i)),
@@ -31,9 +33,10 @@ void fill_path_of(const AxesToRead& rows, const AxesToRead& columns, const PathE
     if (to.below)
       hn::StoreU(hn::Mul(coupling, product(load_three(tag, rows, i + 1), column)), tag, to.below + i);
   };
-  for_each_value(0, to.count - 1, fill);
-  const hn::CappedTag<double, 1> one;
   const std::size_t last = to.count - 1;
+  for_each_value(links.begin, std::min(links.end, last), fill);
+  if (links.end <= last) return;
+  const hn::CappedTag<double, 1> one;
   fill_entry(one, load_three(one, rows, last), load_three(one, columns, last), last);
 }
 
@@ -41,15 +44,17 @@ void fill_path_of(const AxesToRead& rows, const AxesToRead& columns, const PathE
 template <bool upwards, bool with_right_side>
 class PathSide : public Elimination<upwards> {
  public:
-  HWY_INLINE PathSide(const PathElimination& path, double* right_side)
+  HWY_INLINE PathSide(const PathElimination& path, const PathEnd& end, double* right_side)
       : path_(path),
         towards_(upwards ? path.below : path.above - 1),
         away_(upwards ? path.above : path.below - 1),
-        right_side_(right_side) {
+        right_side_(right_side),
+        carried_(end.carried) {
     constexpr std::ptrdiff_t to_last = upwards ? -1 : 0;
     this->rows_ = {path.entry, path.above + to_last, path.below + to_last};
     this->count_ = path.count;
     this->inverse_ = path.inverse_pivot;
+    this->last_inverse_ = end.last_inverse;
   }
 
   HWY_INLINE void invert(std::size_t first, const Continuants<upwards>& continuants) {
@@ -75,41 +80,39 @@ class PathSide : public Elimination<upwards> {
     path_.outward[i] = away_[i] * path_.inverse_pivot[i];
     pass_on(k);
   }
-  // To the middle's right side.
-  HWY_INLINE double carried() const { return carried_; }
+  HWY_INLINE PathEnd end() const { return {this->last_inverse(), carried_}; }
 
  private:
   const PathElimination path_;
   const double *towards_, *away_;  // off-diagonals: of the row nearer to the middle, and of that row's column
   double* right_side_;
-  double carried_ = 0.0;
+  double carried_;
 };
 
 template <bool with_right_side>
-HWY_INLINE void eliminate_sides(const PathElimination& path, double* right_side) {
-  PathSide<true, with_right_side> from_first(path, right_side);
-  PathSide<false, with_right_side> from_last(path, right_side);
-  const std::size_t middle = path.middle;
+HWY_INLINE void eliminate_sides(const PathElimination& path, const PathRows& rows, PathEnd& front,
+                                PathEnd& back, double* right_side) {
+  PathSide<true, with_right_side> from_first(path, front, right_side);
+  PathSide<false, with_right_side> from_last(path, back, right_side);
   eliminate_both(
-      middle, path.count - 1 - middle, [](std::size_t) TAUT_INLINED {}, from_first, from_last);
-  const auto tied = [&](std::ptrdiff_t i, double inverse) { return path.above[i] * path.below[i] * inverse; };
-  const auto place = static_cast<std::ptrdiff_t>(middle);
-  const double entry = path.entry[middle];
-  const double carried = tied(place - 1, from_first.last_inverse()) + tied(place, from_last.last_inverse());
-  path.inverse_pivot[middle] = 1.0 / mended_pivot(entry - carried, entry);
-  if (with_right_side) right_side[middle] -= from_first.carried() + from_last.carried();
+      rows.begin, rows.front_end, rows.back_end, [](std::size_t) TAUT_INLINED {}, from_first, from_last);
+  front = from_first.end();
+  back = from_last.end();
 }
 
-bool eliminate_path_of(const PathElimination& path, double* right_side) {
+bool eliminate_path_of(const PathElimination& path, const PathRows& rows, PathEnd& front, PathEnd& back,
+                       double* right_side) {
   if (right_side)
-    eliminate_sides<true>(path, right_side);
+    eliminate_sides<true>(path, rows, front, back, right_side);
   else
-    eliminate_sides<false>(path, right_side);
+    eliminate_sides<false>(path, rows, front, back, right_side);
   bool sound = true;
-  for_each_value(0, path.count, [&](auto tag, std::size_t i) TAUT_INLINED {
+  const auto look = [&](auto tag, std::size_t i) TAUT_INLINED {
     const auto size = hn::Abs(hn::LoadU(tag, path.inverse_pivot + i));
     sound = sound && hn::AllTrue(tag, hn::And(hn::Gt(size, hn::Zero(tag)), hn::IsFinite(size)));
-  });
+  };
+  for_each_value(rows.begin, rows.front_end, look);
+  for_each_value(path.count - rows.back_end, path.count - rows.begin, look);
   return sound;
 }
 
@@ -123,12 +126,13 @@ namespace taut {
 HWY_EXPORT(fill_path_of);
 HWY_EXPORT(eliminate_path_of);
 
-void fill_path(const AxesToRead& rows, const AxesToRead& columns, const PathEntries& entries) {
-  HWY_DYNAMIC_DISPATCH(fill_path_of)(rows, columns, entries);
+void fill_path(const AxesToRead& rows, const AxesToRead& columns, const PathEntries& entries, Extent links) {
+  HWY_DYNAMIC_DISPATCH(fill_path_of)(rows, columns, entries, links);
 }
 
-bool eliminate_path(const PathElimination& path, double* right_side) {
-  return HWY_DYNAMIC_DISPATCH(eliminate_path_of)(path, right_side);
+bool eliminate_path(const PathElimination& path, const PathRows& rows, PathEnd& front, PathEnd& back,
+                    double* right_side) {
+  return HWY_DYNAMIC_DISPATCH(eliminate_path_of)(path, rows, front, back, right_side);
 }
 
 }  // namespace taut

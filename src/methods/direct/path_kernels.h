@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "axes.h"
+#include "extent.h"
 
 namespace taut {
 
@@ -14,18 +15,33 @@ struct PathEntries {
   const double* diagonal;         ///< what is added to the entries
   double *entry, *above, *below;  ///< below: null where rows and columns are the same
 };
-void fill_path(const AxesToRead& rows, const AxesToRead& columns, const PathEntries& entries);
+/// Fills the rows of some of the links, with what ties each to the next.
+void fill_path(const AxesToRead& rows, const AxesToRead& columns, const PathEntries& entries, Extent links);
 
-/// That matrix, and what elimination makes of it, from both ends to the middle.
+/// That matrix, and what elimination makes of it, from both ends towards the middle.
 struct PathElimination {
-  std::size_t count, middle;
+  std::size_t count;
   const double *entry, *above, *below;  ///< the latter two may be read at −1, too
   double* inverse_pivot;
   double *inward, *outward;  ///< off-diagonals over the pivot: towards the middle's row, and its own
 };
 
-/// Eliminates it, along with a right side where there is one. False where a pivot or its inverse is zero or
-/// not finite.
-bool eliminate_path(const PathElimination& path, double* right_side);
+/// How far elimination has come from one end of a path: what the next row there takes over.
+struct PathEnd {
+  double last_inverse = 0.0;  ///< of the pivots
+  double carried = 0.0;       ///< to the right side
+};
+
+/// Eliminates rows of it, counted from either end, along with a right side where there is one: those from
+/// `begin` on, a multiple of path_block, to `front_end` and to `back_end`. False where a pivot or its inverse
+/// is zero or not finite.
+struct PathRows {
+  std::size_t begin, front_end, back_end;
+};
+bool eliminate_path(const PathElimination& path, const PathRows& rows, PathEnd& front, PathEnd& back,
+                    double* right_side);
+
+/// So many rows at either end are eliminated together while they are at hand.
+inline constexpr std::size_t path_block = 256;
 
 }  // namespace taut

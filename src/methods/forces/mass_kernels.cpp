@@ -50,6 +50,22 @@ void mean_and_kick_each(std::size_t count, const MassKick& kick, double rate, co
   });
 }
 
+double largest_of_each(std::size_t count, const AxesToRead& vectors) {
+  double largest = 0.0;
+  const auto look = [&](auto tag, std::size_t i, auto before) TAUT_INLINED {
+    const auto [x, y, z] = load_three(tag, vectors, i);
+    return hn::Max(hn::Max(hn::Abs(x), hn::Abs(y)), hn::Max(hn::Abs(z), before));
+  };
+  const hn::ScalableTag<double> many;
+  auto of_many = hn::Zero(many);
+  std::size_t i = 0;
+  for (; i + hn::Lanes(many) <= count; i += hn::Lanes(many)) of_many = look(many, i, of_many);
+  largest = hn::GetLane(hn::MaxOfLanes(many, of_many));
+  const hn::CappedTag<double, 1> one;
+  for (; i < count; ++i) largest = hn::GetLane(look(one, i, hn::Set(one, largest)));
+  return largest;
+}
+
 }  // namespace taut::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -60,6 +76,7 @@ namespace taut {
 HWY_EXPORT(kick_each);
 HWY_EXPORT(kick_and_move_each);
 HWY_EXPORT(mean_and_kick_each);
+HWY_EXPORT(largest_of_each);
 
 void kick_masses(std::size_t count, const MassKick& kick, const AxesToRead& velocity,
                  const AxesToWrite& kicked) {
@@ -74,6 +91,10 @@ void kick_and_move(std::size_t count, const MassKick& kick, double h, const Axes
 void mean_and_kick(std::size_t count, const MassKick& kick, double rate, const AxesToRead& from,
                    const AxesToRead& to, const AxesToWrite& velocity) {
   HWY_DYNAMIC_DISPATCH(mean_and_kick_each)(count, kick, rate, from, to, velocity);
+}
+
+double largest_of(std::size_t count, const AxesToRead& vectors) {
+  return HWY_DYNAMIC_DISPATCH(largest_of_each)(count, vectors);
 }
 
 }  // namespace taut

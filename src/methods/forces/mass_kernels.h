@@ -25,4 +25,7 @@ void kick_and_move(std::size_t count, const MassKick& kick, double h, const Axes
 void mean_and_kick(std::size_t count, const MassKick& kick, double rate, const AxesToRead& from,
                    const AxesToRead& to, const AxesToWrite& velocity);
 
+/// The largest |coordinate| of `count` vectors that are numbers.
+double largest_of(std::size_t count, const AxesToRead& vectors);
+
 }  // namespace taut
