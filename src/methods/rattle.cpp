@@ -59,6 +59,12 @@ constexpr int most_rounds = 60;
 constexpr int rounds_to_gain = 12;
 constexpr double least_gain = 0.01;
 
+// For arithmetic on some of the numbers at once.
+template <class Numbers>
+auto part(Numbers& numbers, Extent some) {
+  return segment(numbers, some.begin, some.size());
+}
+
 class RattleStepper final : public SwappingStepper {
  public:
   RattleStepper(const Model& model, int order)
@@ -87,7 +93,7 @@ class RattleStepper final : public SwappingStepper {
     kicks_.links_changed(state);
     limits_.links_changed(state);
     in_blocks_ = only_fields() && only_falling() && limits_.none() &&
-                 is_plain_chain(system_.links, model_.masses.size());
+                 is_plain_chain(system_.links, model_);
   }
 
   // Whether nothing acts but gravity, loads and drag; and of those no loads, and no pins that move.
@@ -97,7 +103,7 @@ class RattleStepper final : public SwappingStepper {
   }
 
   StepReport make_step(State& state, double h, double end_time) override {
-    begin_work(state);
+    begin_work(state, in_blocks_);
     StepReport report;
     if (order_ == 2)
       sub_step(state, state.time, h, end_time, state.position, state.velocity, report);
@@ -176,8 +182,11 @@ class RattleStepper final : public SwappingStepper {
   // What links pull with at the start of the step brings positions within O(h³) of where they belong.
   void guess(const std::vector<double>& tension, double h, Extent some, Extent masses) {
     const SystemLinks& links = system_.links;
-    for (std::size_t i = some.begin; i < some.end; ++i)
-      residual_[i] = tension[links.link[i]] * lengths_.inverse_square[i] * links.length[i];
+    if (in_blocks_)
+      part(residual_, some) = part(tension, some) * part(lengths_.inverse_square, some) * part(links.length, some);
+    else
+      for (std::size_t i = 0; i < links.size(); ++i)
+        residual_[i] = tension[links.link[i]] * lengths_.inverse_square[i] * links.length[i];
     push(start_direction_, position_, -0.5 * h * h, masses);
   }
 
@@ -287,7 +296,8 @@ class RattleStepper final : public SwappingStepper {
                         StepReport& report) {
     const double half = 0.5 * h;
     const SystemLinks& links = system_.links;
-    GrowingExtent answered;
+    GrowingExtent answered, falling;
+    if (in_blocks_) energy_ = 0.0;
     const auto kick_masses = [&](Extent some) {
       end_half_kicks(start, h, end_time, position, masses_at(some));
       along_links(links, direction_, velocity_, residual_, some);
@@ -298,12 +308,28 @@ class RattleStepper final : public SwappingStepper {
         for (std::size_t i = 0; i < links.size(); ++i)
           tension_[links.link[i]] = residual_[i] * links.length[i] * (1.0 + half * model_.drag) / half;
       limits_.give_tensions(0.5 / (half * half), position_, tension_);
-      answered.grow(masses_among(solved), [&](Extent more) { push(direction_, velocity_, -1.0, more); });
+      const Extent masses = masses_among(solved);
+      answered.grow(masses, [&](Extent more) {
+        push(direction_, velocity_, -1.0, more);
+        if (in_blocks_) add_energy(more);
+      });
+      if (in_blocks_)
+        falling.grow(links_among(masses), [&](Extent more) {
+          measure_falling_chain(model_, direction_, velocity_, residual_, more);
+        });
     };
     if (factor_and_solve(direction_, {kick_masses, answer}, report))
       report.link_solves += static_cast<std::int64_t>(links.size());
     else
       report.status = StepStatus::factorisation_failed;
+  }
+
+  // Known when all masses have been added.
+  void add_energy(Extent masses) {
+    const std::size_t begin = masses.begin;
+    *energy_ += energy_of_falling(
+        masses.size(), {&model_.masses.mass[begin], &model_.masses.inverse_mass[begin], model_.gravity},
+        to_read(position_, begin), to_read(velocity_, begin));
   }
 
   void end_half_kicks(const State& start, double h, double end_time, const Vectors& position, Extent masses) {
@@ -320,30 +346,26 @@ class RattleStepper final : public SwappingStepper {
     joints_.finish(0.5, position_, velocity_);
   }
 
-  // With the matrix of the velocities, which the system still holds.
+  // With the matrix of the velocities, which the system still holds; what is asked of links in blocks is known.
   void solve_tensions(const State& whole, double time, StepReport& report) {
     const SystemLinks& links = system_.links;
-    const auto need = [&](Extent some) {
-      if (only_falling() && along_links_falling(model_, links, direction_, velocity_, residual_, some))
-        return;
+    report.link_solves += static_cast<std::int64_t>(links.size());
+    if (in_blocks_) {
+      GrowingExtent known;
+      const auto keep = [&](Extent solved) {
+        known.grow(solved, [&](Extent more) {
+          part(tension_, more) = part(residual_, more) * part(links.length, more);
+        });
+      };
+      system_.matrix->solve_by_blocks(residual_, {{}, keep});
+      return;
+    }
+    if (!only_falling() || !along_links_falling(model_, links, direction_, velocity_, residual_)) {
       kicks_.accelerations(whole, time, position_, velocity_, acceleration_, tension_);
       along_links_moving(links, direction_, acceleration_, velocity_, residual_);
-    };
-    GrowingExtent known;
-    const auto keep = [&](Extent solved) {
-      known.grow(solved, [&](Extent more) {
-        for (std::size_t i = more.begin; i < more.end; ++i)
-          tension_[links.link[i]] = residual_[i] * links.length[i];
-      });
-    };
-    if (in_blocks_) {
-      system_.matrix->solve_by_blocks(residual_, {need, keep});
-    } else {
-      need(links.all());
-      system_.matrix->solve(residual_);
-      keep(links.all());
     }
-    report.link_solves += static_cast<std::int64_t>(links.size());
+    system_.matrix->solve(residual_);
+    for (std::size_t i = 0; i < links.size(); ++i) tension_[links.link[i]] = residual_[i] * links.length[i];
   }
 
   // Visits the links one block after the other, or all at once.
@@ -373,7 +395,7 @@ class RattleStepper final : public SwappingStepper {
   // Adds factor·W Cᵀ times the residual to some masses, or all of them.
   void push(const Vectors& columns, Vectors& target, double factor, Extent masses) const {
     if (in_blocks_)
-      push_chain(system_.links, columns, residual_, target, factor, masses);
+      push_chain(model_.masses.inverse_mass, columns, residual_, target, factor, masses);
     else
       apply_impulses(system_.links, columns, residual_, target, factor);
   }

@@ -151,12 +151,12 @@ void along_links_moving(const SystemLinks& links, const Vectors& columns, const 
 }
 
 bool along_links_falling(const Model& model, const SystemLinks& links, const Vectors& columns,
-                         const Vectors& v, std::vector<double>& result, Extent some) {
+                         const Vectors& v, std::vector<double>& result) {
   if (links.rows.empty()) return false;
-  visit_rows(links, some, [&](const LinkRow& row) {
+  result.resize(links.size());
+  for (const LinkRow& row : links.rows)
     measure_along_falling({model.gravity, model.drag, &links.weight_a[row.begin], &links.weight_b[row.begin]},
                           ends(row, v), to_read(columns, row.begin), &result[row.begin]);
-  });
   return true;
 }
 
@@ -195,16 +195,24 @@ void apply_impulses(const SystemLinks& links, const Vectors& columns, std::span<
   }
 }
 
-bool is_plain_chain(const SystemLinks& links, std::size_t mass_count) {
-  return links.rows.size() == 1 && links.rows[0].a == 0 && links.rows[0].b == 1 &&
-         mass_count == links.size() + 1;
+bool is_plain_chain(const SystemLinks& links, const Model& model) {
+  if (links.rows.size() != 1 || links.rows[0].a != 0 || links.rows[0].b != 1) return false;
+  return links.size() == model.links.size() && links.size() + 1 == model.masses.size() &&
+         std::is_sorted(links.link.begin(), links.link.end());
 }
 
-void push_chain(const SystemLinks& links, const Vectors& columns, std::span<const double> strength,
-                Vectors& target, double factor, Extent masses) {
-  push_row(
-      {links.size(), links.weight_a.data(), links.weight_b.data(), to_read(columns), strength.data(), factor},
-      to_write(target), masses);
+void push_chain(std::span<const double> inverse_mass, const Vectors& columns,
+                std::span<const double> strength, Vectors& target, double factor, Extent masses) {
+  push_row({strength.size(), &inverse_mass[0], &inverse_mass[1], to_read(columns), strength.data(), factor},
+           to_write(target), masses);
+}
+
+void measure_falling_chain(const Model& model, const Vectors& columns, const Vectors& v,
+                           std::vector<double>& result, Extent links) {
+  const double* inverse_mass = &model.masses.inverse_mass[links.begin];
+  measure_along_falling({model.gravity, model.drag, inverse_mass, inverse_mass + 1},
+                        {links.size(), to_read(v, links.begin), to_read(v, links.begin + 1)},
+                        to_read(columns, links.begin), &result[links.begin]);
 }
 
 LinkSystem make_link_system(const Model& model, const std::vector<Index>& links) {

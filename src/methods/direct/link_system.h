@@ -71,19 +71,24 @@ void along_links_moving(const SystemLinks& links, const Vectors& columns, const 
 
 /// The same, and true, where the masses fall with gravity and drag alone; false where the links have no rows.
 bool along_links_falling(const Model& model, const SystemLinks& links, const Vectors& columns,
-                         const Vectors& v, std::vector<double>& result, Extent some);
+                         const Vectors& v, std::vector<double>& result);
 
 /// x_a += f w_a s_i c_i and x_b −= f w_b s_i c_i for every link i: adds f W Cᵀ s.
 void apply_impulses(const SystemLinks& links, const Vectors& columns, std::span<const double> strength,
                     Vectors& target, double factor = 1.0);
 
-/// Whether the links are those of a chain whose masses are all that there are, one behind the other: link i
-/// joins the masses i and i + 1.
-bool is_plain_chain(const SystemLinks& links, std::size_t mass_count);
+/// Whether the links are all that a model has, in its order, and join all its masses to a chain: link i the
+/// masses i and i + 1.
+bool is_plain_chain(const SystemLinks& links, const Model& model);
 
-/// apply_impulses() of such a chain, to some of its masses.
-void push_chain(const SystemLinks& links, const Vectors& columns, std::span<const double> strength,
-                Vectors& target, double factor, Extent masses);
+/// apply_impulses() of such a chain, to some of its masses; what it needs of them it reads from the masses of
+/// the model, which others read, too.
+void push_chain(std::span<const double> inverse_mass, const Vectors& columns,
+                std::span<const double> strength, Vectors& target, double factor, Extent masses);
+
+/// along_links_falling() of such a chain, in some of its links.
+void measure_falling_chain(const Model& model, const Vectors& columns, const Vectors& v,
+                           std::vector<double>& result, Extent links);
 
 /// What the caller of a solve does to links while they are at hand there.
 struct LinkVisits {

@@ -42,6 +42,6 @@ bool eliminate_path(const PathElimination& path, const PathRows& rows, PathEnd& 
                     double* right_side);
 
 /// So many rows at either end are eliminated together while they are at hand.
-inline constexpr std::size_t path_block = 256;
+inline constexpr std::size_t path_block = 128;
 
 }  // namespace taut

@@ -75,7 +75,8 @@ void kick_and_drift(const Model& model, double load_time, double kick_time, doub
   const FieldKick fields = field_kick(model, kick_time, drag_at);
   const std::size_t begin = masses.begin;
   kick_and_move(masses.size(), of_masses(model, fields, begin), h, to_read(position, begin),
-                to_read(velocity, begin), to_write(kicked, begin), to_write(moved, begin));
+                to_read(velocity, begin), model.loads.empty() ? AxesToWrite{} : to_write(kicked, begin),
+                to_write(moved, begin));
   visit_loads(model, load_time, kick_time, fields.answer, [&](Index mass, const Vec3& change) {
     if (!masses.holds(mass)) return;
     kicked.add(mass, change);

@@ -25,7 +25,7 @@ struct FieldKick {
 FieldKick field_kick(const Model& model, double h, DragAt drag_at);
 
 /// kick() for `kick_time` seconds and then drift() for h, in one go over some of the masses; none of the
-/// vectors may be another.
+/// vectors may be another. `kicked` is room for velocities, and holds them only where there are loads.
 void kick_and_drift(const Model& model, double load_time, double kick_time, double h, const Vectors& position,
                     const Vectors& velocity, Vectors& kicked, Vectors& moved, DragAt drag_at, Extent masses);
 
