@@ -19,27 +19,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace taut::HWY_NAMESPACE {
 
-void fill_path_of(const AxesToRead& rows, const AxesToRead& columns, const PathEntries& to, Extent links) {
-  const auto fill_entry = [&](auto tag, const auto& row, const auto& column, std::size_t i) TAUT_INLINED {
-    hn::StoreU(hn::Add(hn::Mul(hn::LoadU(tag, to.weight + i), product(row, column)),
-                       hn::LoadU(tag, to.diagonal + i)),
-               tag, to.entry + i);
-  };
-  const auto fill = [&](auto tag, std::size_t i) TAUT_INLINED {
-    const auto row = load_three(tag, rows, i), column = load_three(tag, columns, i);
-    const auto coupling = hn::LoadU(tag, to.coupling + i);
-    fill_entry(tag, row, column, i);
-    hn::StoreU(hn::Mul(coupling, product(row, load_three(tag, columns, i + 1))), tag, to.above + i);
-    if (to.below)
-      hn::StoreU(hn::Mul(coupling, product(load_three(tag, rows, i + 1), column)), tag, to.below + i);
-  };
-  const std::size_t last = to.count - 1;
-  for_each_value(links.begin, std::min(links.end, last), fill);
-  if (links.end <= last) return;
-  const hn::CappedTag<double, 1> one;
-  fill_entry(one, load_three(one, rows, last), load_three(one, columns, last), last);
-}
-
 // The elimination of one side, towards the middle, with its right side or without.
 template <bool upwards, bool with_right_side>
 class PathSide : public Elimination<upwards> {
@@ -55,6 +34,25 @@ class PathSide : public Elimination<upwards> {
     this->count_ = path.count;
     this->inverse_ = path.inverse_pivot;
     this->last_inverse_ = end.last_inverse;
+  }
+
+  // Rows from k to `end`, and what ties them to the next ones on their way to the middle.
+  template <bool symmetric>
+  HWY_INLINE void fill(std::size_t k, std::size_t end) {
+    const std::size_t begin = upwards ? k : path_.count - end;
+    for_each_value(begin, begin + end - k, [&](auto tag, std::size_t i) TAUT_INLINED {
+      const std::size_t next = upwards ? i + 1 : i - 1, tie = upwards ? i : i - 1;
+      const auto row = load_three(tag, path_.rows, i), next_row = load_three(tag, path_.rows, next);
+      const auto column = symmetric ? row : load_three(tag, path_.columns, i);
+      const auto next_column = symmetric ? next_row : load_three(tag, path_.columns, next);
+      const auto coupling = hn::LoadU(tag, path_.coupling + tie);
+      const auto own = product(row, next_column), other = product(next_row, column);
+      hn::StoreU(hn::Mul(coupling, upwards ? own : other), tag, path_.above + tie);
+      if (!symmetric) hn::StoreU(hn::Mul(coupling, upwards ? other : own), tag, path_.below + tie);
+      hn::StoreU(hn::Add(hn::Mul(hn::LoadU(tag, path_.weight + i), product(row, column)),
+                         hn::LoadU(tag, path_.diagonal + i)),
+                 tag, path_.entry + i);
+    });
   }
 
   HWY_INLINE void invert(std::size_t first, const Continuants<upwards>& continuants) {
@@ -89,23 +87,36 @@ class PathSide : public Elimination<upwards> {
   double carried_;
 };
 
-template <bool with_right_side>
+// Rows are filled a group before they are eliminated: pivots that wait for each other leave time for that.
+template <bool symmetric, bool with_right_side>
 HWY_INLINE void eliminate_sides(const PathElimination& path, const PathRows& rows, PathEnd& front,
                                 PathEnd& back, double* right_side) {
   PathSide<true, with_right_side> from_first(path, front, right_side);
   PathSide<false, with_right_side> from_last(path, back, right_side);
+  const auto fill = [&](std::size_t begin) TAUT_INLINED {
+    const std::size_t end = begin + pivots_at_once;
+    from_first.template fill<symmetric>(std::min(begin, rows.front_end), std::min(end, rows.front_end));
+    from_last.template fill<symmetric>(std::min(begin, rows.back_end), std::min(end, rows.back_end));
+  };
+  fill(rows.begin);
   eliminate_both(
-      rows.begin, rows.front_end, rows.back_end, [](std::size_t) TAUT_INLINED {}, from_first, from_last);
+      rows.begin, rows.front_end, rows.back_end,
+      [&](std::size_t first) TAUT_INLINED { fill(first + pivots_at_once); }, from_first, from_last);
   front = from_first.end();
   back = from_last.end();
 }
 
 bool eliminate_path_of(const PathElimination& path, const PathRows& rows, PathEnd& front, PathEnd& back,
                        double* right_side) {
-  if (right_side)
-    eliminate_sides<true>(path, rows, front, back, right_side);
+  const bool symmetric = path.above == path.below;
+  if (symmetric && right_side)
+    eliminate_sides<true, true>(path, rows, front, back, right_side);
+  else if (symmetric)
+    eliminate_sides<true, false>(path, rows, front, back, right_side);
+  else if (right_side)
+    eliminate_sides<false, true>(path, rows, front, back, right_side);
   else
-    eliminate_sides<false>(path, rows, front, back, right_side);
+    eliminate_sides<false, false>(path, rows, front, back, right_side);
   bool sound = true;
   const auto look = [&](auto tag, std::size_t i) TAUT_INLINED {
     const auto size = hn::Abs(hn::LoadU(tag, path.inverse_pivot + i));
@@ -123,12 +134,7 @@ HWY_AFTER_NAMESPACE();
 
 namespace taut {
 
-HWY_EXPORT(fill_path_of);
 HWY_EXPORT(eliminate_path_of);
-
-void fill_path(const AxesToRead& rows, const AxesToRead& columns, const PathEntries& entries, Extent links) {
-  HWY_DYNAMIC_DISPATCH(fill_path_of)(rows, columns, entries, links);
-}
 
 bool eliminate_path(const PathElimination& path, const PathRows& rows, PathEnd& front, PathEnd& back,
                     double* right_side) {

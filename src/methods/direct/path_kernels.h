@@ -7,21 +7,14 @@
 
 namespace taut {
 
-/// What the tridiagonal matrix of `count` links along a path is made of, see path_matrix.cpp.
-struct PathEntries {
+/// The tridiagonal matrix of `count` links along a path (path_matrix.cpp), and what elimination makes of it.
+struct PathElimination {
   std::size_t count;
+  AxesToRead rows, columns;
   const double* weight;           ///< w_a + w_b
   const double* coupling;         ///< ± w of the mass shared with the next link
   const double* diagonal;         ///< what is added to the entries
-  double *entry, *above, *below;  ///< below: null where rows and columns are the same
-};
-/// Fills the rows of some of the links, with what ties each to the next.
-void fill_path(const AxesToRead& rows, const AxesToRead& columns, const PathEntries& entries, Extent links);
-
-/// That matrix, and what elimination makes of it, from both ends towards the middle.
-struct PathElimination {
-  std::size_t count;
-  const double *entry, *above, *below;  ///< the latter two may be read at −1, too
+  double *entry, *above, *below;  ///< above and below are the same where rows and columns are
   double* inverse_pivot;
   double *inward, *outward;  ///< off-diagonals over the pivot: towards the middle's row, and its own
 };
@@ -32,9 +25,9 @@ struct PathEnd {
   double carried = 0.0;       ///< to the right side
 };
 
-/// Eliminates rows of it, counted from either end, along with a right side where there is one: those from
-/// `begin` on, a multiple of path_block, to `front_end` and to `back_end`. False where a pivot or its inverse
-/// is zero or not finite.
+/// Fills rows of it and eliminates them, counted from either end, along with a right side where there is one:
+/// those from `begin` on, a multiple of path_block, to `front_end` and to `back_end`. False where a pivot or
+/// its inverse is zero or not finite.
 struct PathRows {
   std::size_t begin, front_end, back_end;
 };

@@ -86,31 +86,25 @@ class PathMatrix final : public LinkMatrix {
     if (size() == 0) return true;
     // The lower diagonal is the upper one where rows and columns are the same.
     double* above = above_.data() + 1;
-    double* below = &rows == &columns ? nullptr : below_.data() + 1;
-    const auto fill = [&](Extent links) {
-      fill_path(to_read(rows), to_read(columns),
-                {size(), weight_.data(), coupling_.data(), diagonal.data(), entry_.data(), above, below},
-                links);
-    };
-    const PathElimination path{
-        size(),         entry_.data(),  above, below ? below : above, inverse_pivot_.data(),
-        inward_.data(), outward_.data()};
+    double* below = &rows == &columns ? above : below_.data() + 1;
+    const PathElimination path{size(),           to_read(rows),    to_read(columns),      weight_.data(),
+                               coupling_.data(), diagonal.data(),  entry_.data(),         above,
+                               below,            inverse_pivot_.data(), inward_.data(), outward_.data()};
     PathEnd front, back;
     bool sound = true;
     for (std::size_t block = 0; block < blocks(); ++block) {
       const Sides sides = sides_of(block);
       if (is_last(block)) {
         before(sides.with_all_between());
-        fill(sides.with_all_between());
       } else {
         before(sides.front);
         before(sides.back);
-        fill(sides.front);
-        fill({sides.back.begin - 1, sides.back.end});  // its first row is tied to the one before
       }
       const PathRows of_block{sides.front.begin, sides.front.end, size() - sides.back.begin};
       sound = eliminate_path(path, of_block, front, back, b) && sound;
     }
+    const Vec3 products = rows.at(middle_).cwiseProduct(columns.at(middle_));
+    entry_[middle_] = weight_[middle_] * (products.x() + products.y() + products.z()) + diagonal[middle_];
     eliminate_middle(path, front, back);
     if (b) b[middle_] -= front.carried + back.carried;
     return sound && inverse_pivot_[middle_] != 0.0 && std::isfinite(inverse_pivot_[middle_]);
