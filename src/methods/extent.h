@@ -17,6 +17,8 @@ struct Extent {
 /// An extent that grows at its ends.
 class GrowingExtent {
  public:
+  bool empty() const { return now_.empty(); }
+
   /// Lets it grow to an extent that holds it, and calls visit with what has come before it and behind it.
   template <class Visit>
   void grow(Extent larger, const Visit& visit) {

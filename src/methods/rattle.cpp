@@ -38,9 +38,9 @@
 #include "contact/joint_resistance.h"
 #include "direct/active_limits.h"
 #include "direct/anderson_mixing.h"
+#include "direct/chain_blocks.h"
 #include "direct/link_system.h"
 #include "direct/newton_rounds.h"
-#include "direct/path_kernels.h"
 #include "direct/solve_memory.h"
 #include "file_order_stepper.h"
 #include "forces/forces.h"
@@ -58,12 +58,6 @@ constexpr int most_rounds = 60;
 // buckles within the step: two halves are quicker.
 constexpr int rounds_to_gain = 12;
 constexpr double least_gain = 0.01;
-
-// For arithmetic on some of the numbers at once.
-template <class Numbers>
-auto part(Numbers& numbers, Extent some) {
-  return segment(numbers, some.begin, some.size());
-}
 
 class RattleStepper final : public SwappingStepper {
  public:
@@ -92,8 +86,7 @@ class RattleStepper final : public SwappingStepper {
     factored_along_.resize(0);
     kicks_.links_changed(state);
     limits_.links_changed(state);
-    in_blocks_ = only_fields() && only_falling() && limits_.none() &&
-                 is_plain_chain(system_.links, model_);
+    blocks_ = ChainBlocks(model_, system_.links);
   }
 
   // Whether nothing acts but gravity, loads and drag; and of those no loads, and no pins that move.
@@ -103,7 +96,7 @@ class RattleStepper final : public SwappingStepper {
   }
 
   StepReport make_step(State& state, double h, double end_time) override {
-    begin_work(state, in_blocks_);
+    begin_work(state, blocks_.several());
     StepReport report;
     if (order_ == 2)
       sub_step(state, state.time, h, end_time, state.position, state.velocity, report);
@@ -152,9 +145,9 @@ class RattleStepper final : public SwappingStepper {
     GrowingExtent moved;
     begin_measuring();
     farthest_ = 0.0;
-    for_each_block([&](Extent block) {
+    blocks_.visit([&](Extent block) {
       link_vectors(system_.links, position, start_direction_, block);
-      const Extent masses = masses_among({0, block.end});
+      const Extent masses = blocks_.masses_among({0, block.end});
       moved.grow(masses, [&](Extent more) {
         fall_freely(start, time, h, end_time, position, velocity, more);
         if (!tension_of_velocities_) guess(start.tension, h, block, more);
@@ -182,8 +175,9 @@ class RattleStepper final : public SwappingStepper {
   // What links pull with at the start of the step brings positions within O(h³) of where they belong.
   void guess(const std::vector<double>& tension, double h, Extent some, Extent masses) {
     const SystemLinks& links = system_.links;
-    if (in_blocks_)
-      part(residual_, some) = part(tension, some) * part(lengths_.inverse_square, some) * part(links.length, some);
+    if (blocks_.several())
+      some_of(residual_, some) =
+          some_of(tension, some) * some_of(lengths_.inverse_square, some) * some_of(links.length, some);
     else
       for (std::size_t i = 0; i < links.size(); ++i)
         residual_[i] = tension[links.link[i]] * lengths_.inverse_square[i] * links.length[i];
@@ -224,7 +218,7 @@ class RattleStepper final : public SwappingStepper {
   // d and g of the links between masses that have moved, and of all such since begin_measuring() the largest
   // |g|/l².
   void measure(Extent moved) {
-    measured_.grow(links_among(moved), [this](Extent more) {
+    measured_.grow(blocks_.links_among(moved), [this](Extent more) {
       misfit_.add(
           measure_lengths(system_.links, position_, start_direction_, lengths_, direction_, residual_, more));
     });
@@ -261,7 +255,7 @@ class RattleStepper final : public SwappingStepper {
         limits_.push(system_, direction_, start_direction_, 1.0, residual_, position_);
       else if (!system_.matrix->takes_unsymmetric())
         mixing_.mix(residual_);
-      const Extent masses = masses_among(solved);
+      const Extent masses = blocks_.masses_among(solved);
       moved.grow(masses, [&](Extent more) { push(start_direction_, position_, -1.0, more); });
       measure(masses);
     };
@@ -272,20 +266,23 @@ class RattleStepper final : public SwappingStepper {
   // but where limits border the system that is left to them.
   bool factor_and_solve(const Vectors& columns, const LinkVisits& visits, StepReport& report) {
     LinkMatrix& matrix = *system_.matrix;
-    if (in_blocks_) {
+    if (blocks_.several()) {
       ++report.factorisations;
       return matrix.factor_and_solve_by_blocks(direction_, columns, no_compliance_, residual_, visits);
     }
     visits.before(system_.links.all());
     const bool net = !matrix.takes_unsymmetric();
-    const bool known = net && factored_along_ == columns;
-    if (!known) {
+    if (!net || factored_along_ != columns) {
       ++report.factorisations;
       factored_along_.resize(0);
-      if (!matrix.factor(net ? columns : direction_, columns, no_compliance_)) return false;
+      const Vectors& rows = net ? columns : direction_;
+      const bool factored = limits_.none() ? matrix.factor_and_solve(rows, columns, no_compliance_, residual_)
+                                           : matrix.factor(rows, columns, no_compliance_);
+      if (!factored) return false;
       if (net) factored_along_ = columns;
+    } else if (limits_.none()) {
+      matrix.solve(residual_);
     }
-    if (limits_.none()) matrix.solve(residual_);
     visits.after(system_.links.all());
     return true;
   }
@@ -297,9 +294,9 @@ class RattleStepper final : public SwappingStepper {
     const double half = 0.5 * h;
     const SystemLinks& links = system_.links;
     GrowingExtent answered, falling;
-    if (in_blocks_) energy_ = 0.0;
+    if (blocks_.several()) energy_ = 0.0;
     const auto kick_masses = [&](Extent some) {
-      end_half_kicks(start, h, end_time, position, masses_at(some));
+      end_half_kicks(start, h, end_time, position, blocks_.masses_at(some));
       along_links(links, direction_, velocity_, residual_, some);
     };
     const auto answer = [&](Extent solved) {
@@ -308,13 +305,13 @@ class RattleStepper final : public SwappingStepper {
         for (std::size_t i = 0; i < links.size(); ++i)
           tension_[links.link[i]] = residual_[i] * links.length[i] * (1.0 + half * model_.drag) / half;
       limits_.give_tensions(0.5 / (half * half), position_, tension_);
-      const Extent masses = masses_among(solved);
+      const Extent masses = blocks_.masses_among(solved);
       answered.grow(masses, [&](Extent more) {
         push(direction_, velocity_, -1.0, more);
-        if (in_blocks_) add_energy(more);
+        if (blocks_.several()) *energy_ += energy_of_some(model_, position_, velocity_, more);
       });
-      if (in_blocks_)
-        falling.grow(links_among(masses), [&](Extent more) {
+      if (blocks_.several())
+        falling.grow(blocks_.links_among(masses), [&](Extent more) {
           measure_falling_chain(model_, direction_, velocity_, residual_, more);
         });
     };
@@ -322,14 +319,6 @@ class RattleStepper final : public SwappingStepper {
       report.link_solves += static_cast<std::int64_t>(links.size());
     else
       report.status = StepStatus::factorisation_failed;
-  }
-
-  // Known when all masses have been added.
-  void add_energy(Extent masses) {
-    const std::size_t begin = masses.begin;
-    *energy_ += energy_of_falling(
-        masses.size(), {&model_.masses.mass[begin], &model_.masses.inverse_mass[begin], model_.gravity},
-        to_read(position_, begin), to_read(velocity_, begin));
   }
 
   void end_half_kicks(const State& start, double h, double end_time, const Vectors& position, Extent masses) {
@@ -346,15 +335,16 @@ class RattleStepper final : public SwappingStepper {
     joints_.finish(0.5, position_, velocity_);
   }
 
-  // With the matrix of the velocities, which the system still holds; what is asked of links in blocks is known.
+  // With the matrix of the velocities, which the system still holds; what is asked of links in blocks is
+  // known.
   void solve_tensions(const State& whole, double time, StepReport& report) {
     const SystemLinks& links = system_.links;
     report.link_solves += static_cast<std::int64_t>(links.size());
-    if (in_blocks_) {
+    if (blocks_.several()) {
       GrowingExtent known;
       const auto keep = [&](Extent solved) {
         known.grow(solved, [&](Extent more) {
-          part(tension_, more) = part(residual_, more) * part(links.length, more);
+          some_of(tension_, more) = some_of(residual_, more) * some_of(links.length, more);
         });
       };
       system_.matrix->solve_by_blocks(residual_, {{}, keep});
@@ -368,36 +358,9 @@ class RattleStepper final : public SwappingStepper {
     for (std::size_t i = 0; i < links.size(); ++i) tension_[links.link[i]] = residual_[i] * links.length[i];
   }
 
-  // Visits the links one block after the other, or all at once.
-  template <class Visit>
-  void for_each_block(const Visit& visit) const {
-    const std::size_t links = system_.links.size(), most = in_blocks_ ? path_block : links;
-    std::size_t begin = 0, end = 0;
-    do {
-      end = std::min(links, begin + most);
-      visit(Extent{begin, end});
-      begin = end;
-    } while (end < links);
-  }
-  // Masses all of whose links are among some, those that some links join, and links both of whose masses are
-  // among some. Only a plain chain is ever asked for less than all.
-  Extent masses_among(Extent links) const {
-    return {links.begin == 0 ? 0 : links.begin + 1,
-            links.end == system_.links.size() ? model_.masses.size() : links.end};
-  }
-  Extent masses_at(Extent links) const {
-    return in_blocks_ ? Extent{links.begin, links.end + 1} : Extent{0, model_.masses.size()};
-  }
-  Extent links_among(Extent masses) const {
-    return {masses.begin, masses.end == model_.masses.size() ? system_.links.size() : masses.end - 1};
-  }
-
-  // Adds factor·W Cᵀ times the residual to some masses, or all of them.
+  // Adds factor·W Cᵀ times the residual to some masses.
   void push(const Vectors& columns, Vectors& target, double factor, Extent masses) const {
-    if (in_blocks_)
-      push_chain(model_.masses.inverse_mass, columns, residual_, target, factor, masses);
-    else
-      apply_impulses(system_.links, columns, residual_, target, factor);
+    blocks_.push(model_, system_.links, columns, residual_, target, factor, masses);
   }
 
   const Model& model_;
@@ -407,9 +370,7 @@ class RattleStepper final : public SwappingStepper {
   JointResistance joints_;
   bool tension_of_velocities_;  // what stops and joints do is no part of the tension at acceleration level
   LinkSystem system_;
-  // Whether all there is is a chain that falls freely. Then a step takes it block by block, and what follows
-  // each other in it meets links and masses at hand; else it takes all at once.
-  bool in_blocks_ = false;
+  ChainBlocks blocks_;
   AndersonMixing mixing_;
   std::vector<double> no_compliance_;
   Vectors factored_along_;  // directions whose symmetric matrix a net's factor holds

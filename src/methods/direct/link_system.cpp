@@ -195,26 +195,6 @@ void apply_impulses(const SystemLinks& links, const Vectors& columns, std::span<
   }
 }
 
-bool is_plain_chain(const SystemLinks& links, const Model& model) {
-  if (links.rows.size() != 1 || links.rows[0].a != 0 || links.rows[0].b != 1) return false;
-  return links.size() == model.links.size() && links.size() + 1 == model.masses.size() &&
-         std::is_sorted(links.link.begin(), links.link.end());
-}
-
-void push_chain(std::span<const double> inverse_mass, const Vectors& columns,
-                std::span<const double> strength, Vectors& target, double factor, Extent masses) {
-  push_row({strength.size(), &inverse_mass[0], &inverse_mass[1], to_read(columns), strength.data(), factor},
-           to_write(target), masses);
-}
-
-void measure_falling_chain(const Model& model, const Vectors& columns, const Vectors& v,
-                           std::vector<double>& result, Extent links) {
-  const double* inverse_mass = &model.masses.inverse_mass[links.begin];
-  measure_along_falling({model.gravity, model.drag, inverse_mass, inverse_mass + 1},
-                        {links.size(), to_read(v, links.begin), to_read(v, links.begin + 1)},
-                        to_read(columns, links.begin), &result[links.begin]);
-}
-
 LinkSystem make_link_system(const Model& model, const std::vector<Index>& links) {
   const auto in_order = [&](const auto& order, auto position) {
     std::vector<Index> ordered(links.size());

@@ -77,19 +77,6 @@ bool along_links_falling(const Model& model, const SystemLinks& links, const Vec
 void apply_impulses(const SystemLinks& links, const Vectors& columns, std::span<const double> strength,
                     Vectors& target, double factor = 1.0);
 
-/// Whether the links are all that a model has, in its order, and join all its masses to a chain: link i the
-/// masses i and i + 1.
-bool is_plain_chain(const SystemLinks& links, const Model& model);
-
-/// apply_impulses() of such a chain, to some of its masses; what it needs of them it reads from the masses of
-/// the model, which others read, too.
-void push_chain(std::span<const double> inverse_mass, const Vectors& columns,
-                std::span<const double> strength, Vectors& target, double factor, Extent masses);
-
-/// along_links_falling() of such a chain, in some of its links.
-void measure_falling_chain(const Model& model, const Vectors& columns, const Vectors& v,
-                           std::vector<double>& result, Extent links);
-
 /// What the caller of a solve does to links while they are at hand there.
 struct LinkVisits {
   ExtentVisit before;  ///< with links whose right sides are to be read next: time to write them

@@ -20,7 +20,7 @@ HWY_BEFORE_NAMESPACE();
 namespace taut::HWY_NAMESPACE {
 
 // The elimination of one side, towards the middle, with its right side or without.
-template <bool upwards, bool with_right_side>
+template <bool upwards, bool symmetric, bool with_right_side>
 class PathSide : public Elimination<upwards> {
  public:
   HWY_INLINE PathSide(const PathElimination& path, const PathEnd& end, double* right_side)
@@ -37,7 +37,6 @@ class PathSide : public Elimination<upwards> {
   }
 
   // Rows from k to `end`, and what ties them to the next ones on their way to the middle.
-  template <bool symmetric>
   HWY_INLINE void fill(std::size_t k, std::size_t end) {
     const std::size_t begin = upwards ? k : path_.count - end;
     for_each_value(begin, begin + end - k, [&](auto tag, std::size_t i) TAUT_INLINED {
@@ -61,7 +60,7 @@ class PathSide : public Elimination<upwards> {
     for_each_value(group, group + pivots_at_once, [&](auto tag, std::size_t i) TAUT_INLINED {
       const auto inverse = hn::LoadU(tag, path_.inverse_pivot + i);
       hn::StoreU(hn::Mul(hn::LoadU(tag, towards_ + i), inverse), tag, path_.inward + i);
-      hn::StoreU(hn::Mul(hn::LoadU(tag, away_ + i), inverse), tag, path_.outward + i);
+      if (!symmetric) hn::StoreU(hn::Mul(hn::LoadU(tag, away_ + i), inverse), tag, path_.outward + i);
     });
   }
   HWY_INLINE void pass_on(std::size_t k) {
@@ -75,7 +74,7 @@ class PathSide : public Elimination<upwards> {
     const std::size_t i = this->place(k);
     this->invert_next(k);
     path_.inward[i] = towards_[i] * path_.inverse_pivot[i];
-    path_.outward[i] = away_[i] * path_.inverse_pivot[i];
+    if (!symmetric) path_.outward[i] = away_[i] * path_.inverse_pivot[i];
     pass_on(k);
   }
   HWY_INLINE PathEnd end() const { return {this->last_inverse(), carried_}; }
@@ -91,12 +90,12 @@ class PathSide : public Elimination<upwards> {
 template <bool symmetric, bool with_right_side>
 HWY_INLINE void eliminate_sides(const PathElimination& path, const PathRows& rows, PathEnd& front,
                                 PathEnd& back, double* right_side) {
-  PathSide<true, with_right_side> from_first(path, front, right_side);
-  PathSide<false, with_right_side> from_last(path, back, right_side);
+  PathSide<true, symmetric, with_right_side> from_first(path, front, right_side);
+  PathSide<false, symmetric, with_right_side> from_last(path, back, right_side);
   const auto fill = [&](std::size_t begin) TAUT_INLINED {
     const std::size_t end = begin + pivots_at_once;
-    from_first.template fill<symmetric>(std::min(begin, rows.front_end), std::min(end, rows.front_end));
-    from_last.template fill<symmetric>(std::min(begin, rows.back_end), std::min(end, rows.back_end));
+    from_first.fill(std::min(begin, rows.front_end), std::min(end, rows.front_end));
+    from_last.fill(std::min(begin, rows.back_end), std::min(end, rows.back_end));
   };
   fill(rows.begin);
   eliminate_both(
@@ -108,7 +107,7 @@ HWY_INLINE void eliminate_sides(const PathElimination& path, const PathRows& row
 
 bool eliminate_path_of(const PathElimination& path, const PathRows& rows, PathEnd& front, PathEnd& back,
                        double* right_side) {
-  const bool symmetric = path.above == path.below;
+  const bool symmetric = path.symmetric();
   if (symmetric && right_side)
     eliminate_sides<true, true>(path, rows, front, back, right_side);
   else if (symmetric)

@@ -11,12 +11,15 @@ namespace taut {
 struct PathElimination {
   std::size_t count;
   AxesToRead rows, columns;
-  const double* weight;           ///< w_a + w_b
-  const double* coupling;         ///< ± w of the mass shared with the next link
-  const double* diagonal;         ///< what is added to the entries
-  double *entry, *above, *below;  ///< above and below are the same where rows and columns are
+  const double* weight;    ///< w_a + w_b
+  const double* coupling;  ///< ± w of the mass shared with the next link
+  const double* diagonal;  ///< what is added to the entries
+  double *entry, *above, *below;
   double* inverse_pivot;
   double *inward, *outward;  ///< off-diagonals over the pivot: towards the middle's row, and its own
+
+  /// Where rows and columns are the same, so are above and below, inward and outward.
+  bool symmetric() const { return above == below; }
 };
 
 /// How far elimination has come from one end of a path: what the next row there takes over.

@@ -81,15 +81,27 @@ class PathMatrix final : public LinkMatrix {
     return {{begin, front_end}, {size() - back_end, size() - std::min(begin, behind)}};
   }
 
+  // One that is symmetric has the same off-diagonals on both sides.
+  double* outward() { return symmetric_ ? inward_.data() : outward_.data(); }
+
   bool eliminate(const Vectors& rows, const Vectors& columns, std::span<const double> diagonal, double* b,
                  const ExtentVisit& before) {
     if (size() == 0) return true;
-    // The lower diagonal is the upper one where rows and columns are the same.
+    symmetric_ = &rows == &columns;
     double* above = above_.data() + 1;
-    double* below = &rows == &columns ? above : below_.data() + 1;
-    const PathElimination path{size(),           to_read(rows),    to_read(columns),      weight_.data(),
-                               coupling_.data(), diagonal.data(),  entry_.data(),         above,
-                               below,            inverse_pivot_.data(), inward_.data(), outward_.data()};
+    double* below = symmetric_ ? above : below_.data() + 1;
+    const PathElimination path{size(),
+                               to_read(rows),
+                               to_read(columns),
+                               weight_.data(),
+                               coupling_.data(),
+                               diagonal.data(),
+                               entry_.data(),
+                               above,
+                               below,
+                               inverse_pivot_.data(),
+                               inward_.data(),
+                               outward()};
     PathEnd front, back;
     bool sound = true;
     for (std::size_t block = 0; block < blocks(); ++block) {
@@ -133,22 +145,24 @@ class PathMatrix final : public LinkMatrix {
   }
 
   // From the middle to both ends.
-  void substitute_back(std::vector<double>& b, const ExtentVisit& after) const {
+  void substitute_back(std::vector<double>& b, const ExtentVisit& after) {
+    const double* outward_ties = outward();
     b[middle_] *= inverse_pivot_[middle_];
     double towards_first = b[middle_], towards_last = b[middle_];
     for (std::size_t block = blocks(); block-- > 0;) {
       const Sides sides = sides_of(block);
       std::size_t last = sides.back.begin;
       for (std::size_t first = sides.front.end; first-- > sides.front.begin;) {
-        b[first] = towards_first = b[first] * inverse_pivot_[first] - outward_[first] * towards_first;
+        b[first] = towards_first = b[first] * inverse_pivot_[first] - outward_ties[first] * towards_first;
         if (last == sides.back.end) continue;
-        b[last] = towards_last = b[last] * inverse_pivot_[last] - outward_[last] * towards_last;
+        b[last] = towards_last = b[last] * inverse_pivot_[last] - outward_ties[last] * towards_last;
         ++last;
       }
       after(sides.with_all_between());
     }
   }
 
+  bool symmetric_ = false;             // whether rows and columns were the same
   std::size_t middle_;                 // where elimination from both ends meets
   std::vector<double> weight_;         // w_a + w_b
   std::vector<double> coupling_;       // ± w_m of the mass shared with the next link; 0 where there is none

@@ -134,7 +134,19 @@ void drift(double h, const Vectors& position, const Vectors& velocity, Vectors& 
 }
 
 void difference_quotient(double h, const Vectors& from, const Vectors& to, Vectors& velocity) {
-  scaled_difference(1.0 / h, to, from, velocity);
+  difference_quotient(h, from, to, velocity, {0, velocity.size()});
+}
+
+void difference_quotient(double h, const Vectors& from, const Vectors& to, Vectors& velocity, Extent masses) {
+  mean_velocities(masses.size(), 1.0 / h, to_read(from, masses.begin), to_read(to, masses.begin),
+                  to_write(velocity, masses.begin));
+}
+
+double energy_of_some(const Model& model, const Vectors& position, const Vectors& velocity, Extent masses) {
+  const std::size_t begin = masses.begin;
+  return energy_of_falling(masses.size(),
+                           {&model.masses.mass[begin], &model.masses.inverse_mass[begin], model.gravity},
+                           to_read(position, begin), to_read(velocity, begin));
 }
 
 }  // namespace taut

@@ -54,5 +54,10 @@ void drift(double h, const Vectors& position, const Vectors& velocity, Vectors& 
 
 /// The mean velocity (to − from)/h of every mass.
 void difference_quotient(double h, const Vectors& from, const Vectors& to, Vectors& velocity);
+void difference_quotient(double h, const Vectors& from, const Vectors& to, Vectors& velocity, Extent masses);
+
+/// Energy (J) of some masses' motion and of gravity on them. Where it is finite, all their positions and
+/// velocities are.
+double energy_of_some(const Model& model, const Vectors& position, const Vectors& velocity, Extent masses);
 
 }  // namespace taut

@@ -47,6 +47,14 @@ void kick_and_move_each(std::size_t count, const MassKick& kick, double h, const
   });
 }
 
+void mean_each(std::size_t count, double rate, const AxesToRead& from, const AxesToRead& to,
+               const AxesToWrite& velocity) {
+  for_each_value(0, count, [&](auto tag, std::size_t i) TAUT_INLINED {
+    const auto moved = difference(load_three(tag, to, i), load_three(tag, from, i));
+    store_three(tag, scaled(hn::Set(tag, rate), moved), velocity, i);
+  });
+}
+
 void mean_and_kick_each(std::size_t count, const MassKick& kick, double rate, const AxesToRead& from,
                         const AxesToRead& to, const AxesToWrite& velocity) {
   for_each_value(0, count, [&](auto tag, std::size_t i) TAUT_INLINED {
@@ -62,8 +70,8 @@ double energy_of_each(std::size_t count, const FallingMasses& masses, const Axes
     const Three<hn::Vec<decltype(tag)>> gravity{hn::Set(tag, g[0]), hn::Set(tag, g[1]), hn::Set(tag, g[2])};
     const auto v = load_three(tag, velocity, i);
     const auto mass = hn::Mul(free_share(tag, masses.inverse_mass + i), hn::LoadU(tag, masses.mass + i));
-    const auto each = hn::Sub(hn::Mul(hn::Set(tag, 0.5), product(v, v)),
-                              product(gravity, load_three(tag, position, i)));
+    const auto each =
+        hn::Sub(hn::Mul(hn::Set(tag, 0.5), product(v, v)), product(gravity, load_three(tag, position, i)));
     return hn::Mul(mass, each);
   };
   // As many sums side by side, whatever the vectors' width, so that it changes no bit.
@@ -107,6 +115,7 @@ namespace taut {
 
 HWY_EXPORT(kick_each);
 HWY_EXPORT(kick_and_move_each);
+HWY_EXPORT(mean_each);
 HWY_EXPORT(mean_and_kick_each);
 HWY_EXPORT(energy_of_each);
 HWY_EXPORT(largest_of_each);
@@ -119,6 +128,11 @@ void kick_masses(std::size_t count, const MassKick& kick, const AxesToRead& velo
 void kick_and_move(std::size_t count, const MassKick& kick, double h, const AxesToRead& position,
                    const AxesToRead& velocity, const AxesToWrite& kicked, const AxesToWrite& moved) {
   HWY_DYNAMIC_DISPATCH(kick_and_move_each)(count, kick, h, position, velocity, kicked, moved);
+}
+
+void mean_velocities(std::size_t count, double rate, const AxesToRead& from, const AxesToRead& to,
+                     const AxesToWrite& velocity) {
+  HWY_DYNAMIC_DISPATCH(mean_each)(count, rate, from, to, velocity);
 }
 
 void mean_and_kick(std::size_t count, const MassKick& kick, double rate, const AxesToRead& from,

@@ -21,12 +21,16 @@ void kick_masses(std::size_t count, const MassKick& kick, const AxesToRead& velo
 void kick_and_move(std::size_t count, const MassKick& kick, double h, const AxesToRead& position,
                    const AxesToRead& velocity, const AxesToWrite& kicked, const AxesToWrite& moved);
 
+/// velocity = rate·(to − from), of `count` masses.
+void mean_velocities(std::size_t count, double rate, const AxesToRead& from, const AxesToRead& to,
+                     const AxesToWrite& velocity);
+
 /// velocity = rate·(to − from) after the kick, of `count` masses.
 void mean_and_kick(std::size_t count, const MassKick& kick, double rate, const AxesToRead& from,
                    const AxesToRead& to, const AxesToWrite& velocity);
 
-/// Energy of motion and of gravity (J), Σ m (|v|²/2 − g·x) over the free ones of `count` masses. Where it is
-/// finite, all positions and velocities are.
+/// Energy of motion and of gravity (J), Σ m (|v|²/2 − g·x) over the free ones of `count` masses; where any
+/// number is not finite, even a pin's, neither is the sum.
 struct FallingMasses {
   const double *mass, *inverse_mass;  ///< kg, 1/kg
   Vec3 gravity;                       ///< m/s²
