@@ -9,13 +9,15 @@ void FileOrderStepper::load(const State& state) {
   if (state.broken_at != state_.broken_at) links_changed_ = true;
   state_ = state;
   energy_.reset();
+  goes_on_ = false;
 }
 
 StepReport FileOrderStepper::step(double h, double end_time) {
   if (std::exchange(links_changed_, false)) links_changed(state_);
   energy_.reset();
   const StepReport report = make_step(state_, h, end_time);
-  if (report.status != StepStatus::done) energy_.reset();
+  goes_on_ = report.status == StepStatus::done;
+  if (!goes_on_) energy_.reset();
   return report;
 }
 
@@ -56,6 +58,7 @@ void SwappingStepper::undo() {
   std::swap(state_.velocity, velocity_);
   std::swap(state_.tension, tension_);
   energy_.reset();
+  goes_on_ = false;
   state_.time = time_before_;
   state_.unanswered_kick = kick_before_;
   state_.tension_before = tension_before_;

@@ -18,6 +18,7 @@ class FileOrderStepper : public Stepper {
  protected:
   State state_;
   std::optional<double> energy_;  // as energy() is to give it; only known where the last step has set it
+  bool goes_on_ = false;          // whether the state is as the last step of make_step() has left it
 
  private:
   /// Moves the state on, or leaves it as it was where that fails.

@@ -97,6 +97,7 @@ class RattleStepper final : public SwappingStepper {
 
   StepReport make_step(State& state, double h, double end_time) override {
     begin_work(state, blocks_.several());
+    direction_known_ = goes_on_;
     StepReport report;
     if (order_ == 2)
       sub_step(state, state.time, h, end_time, state.position, state.velocity, report);
@@ -145,8 +146,9 @@ class RattleStepper final : public SwappingStepper {
     GrowingExtent moved;
     begin_measuring();
     farthest_ = 0.0;
+    if (direction_known_) std::swap(start_direction_, direction_);
     blocks_.visit([&](Extent block) {
-      link_vectors(system_.links, position, start_direction_, block);
+      if (!direction_known_) link_vectors(system_.links, position, start_direction_, block);
       const Extent masses = blocks_.masses_among({0, block.end});
       moved.grow(masses, [&](Extent more) {
         fall_freely(start, time, h, end_time, position, velocity, more);
@@ -192,7 +194,7 @@ class RattleStepper final : public SwappingStepper {
     for (int round = 0; round < most_rounds; ++round) {
       if (!look_at_misfit(report)) return false;
       const double beyond = limits_.look(position_, &start);
-      if (misfit_.worst <= tolerance && beyond <= limit_tolerance) return true;
+      if (misfit_.worst <= tolerance && beyond <= limit_tolerance) return direction_known_ = true;
       best = std::min(best, misfit_.worst);
       if (round % rounds_to_gain == 0) {
         if (best > std::max(tolerance, least_gain * best_before)) break;
@@ -377,6 +379,7 @@ class RattleStepper final : public SwappingStepper {
   Vectors half_velocity_, acceleration_;
   Vectors part_position_, part_velocity_;  // where a part of a step of order 4 begins
   Vectors start_direction_, direction_;
+  bool direction_known_ = false;  // whether direction_ is that of where the next part of a step begins
   std::vector<double> residual_;  // g, m²
   SquaredLengths lengths_;
   double shortest_ = 1.0, farthest_ = 0.0;  // length and, at first in a step, coordinate (m)

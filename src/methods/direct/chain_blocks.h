@@ -20,7 +20,6 @@ class ChainBlocks {
   ChainBlocks(const Model& model, const SystemLinks& links);
 
   bool several() const { return several_; }
-  Extent all_links() const { return {0, links_}; }
   Extent all_masses() const { return {0, masses_}; }
 
   /// Visits the links, one block after the other.

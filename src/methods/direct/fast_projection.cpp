@@ -117,11 +117,11 @@ bool FastProjection::solve_round(double answer, Vectors& position) {
   if (blocks_.several())
     return matrix.factor_and_solve_by_blocks(direction_, direction_, diagonal_, residual_,
                                              {scale, move_masses});
-  scale(blocks_.all_links());
+  scale(system_.links.all());
   if (!(limits_.none() ? matrix.factor_and_solve(direction_, direction_, diagonal_, residual_)
                        : matrix.factor(direction_, direction_, diagonal_)))
     return false;
-  move_masses(blocks_.all_links());
+  move_masses(system_.links.all());
   return true;
 }
 
