@@ -4,6 +4,7 @@
 
 #include "fixtures.h"
 #include "measure/exact.h"
+#include "methods/registry.h"
 #include "model/measures.h"
 
 namespace taut::test {
@@ -264,6 +265,56 @@ TEST_P(DirectMethods, ChainsWithABrokenLinkGoOn) {
     State state = built.start;
     state.broken_at[broken] = 0.0;
     expect_same_in_blocks({built.model, state, {}}, settings(GetParam(), 2400.0), 4);
+  }
+}
+
+// What a stepper keeps of its last step must not outlive the state that the step came to.
+TEST_P(DirectMethods, StepsKnowNothingOfStepsThatDoNotCount) {
+  Description net;
+  SheetSpec sheet;
+  sheet.name = "net";
+  sheet.rows = sheet.columns = 4;
+  sheet.to = {0.3, 0.0, 0.1};
+  sheet.down = {0.0, -0.3, 0.1};
+  sheet.pinned = {"top-left"};
+  net.sheets = {sheet};
+  for (const Description& description : {arc(40, {"first"}), arc(5, {"first"}), net}) {
+    const Built built = build_valid(description);
+    const Method& method = method_called(GetParam());
+    const auto loaded = [&](const State& state) {
+      std::unique_ptr<Stepper> stepper =
+          method.make(built.model, complete_settings(settings(GetParam(), 1000.0)), {});
+      stepper->load(state);
+      return stepper;
+    };
+    const auto step = [](Stepper& stepper, double h) {
+      return stepper.step(h, stepper.store().time + h).status;
+    };
+    const double h = 1e-3, little = 1e-9;
+    const auto step_from = [&](const State& state, double length) {
+      const std::unique_ptr<Stepper> stepper = loaded(state);
+      EXPECT_EQ(step(*stepper, length), StepStatus::done);
+      return stepper->store();
+    };
+    const auto expect_step_to = [&](Stepper& stepper, const State& next, double length, const char* after) {
+      EXPECT_EQ(step(stepper, length), StepStatus::done) << after;
+      EXPECT_EQ(state_hash(stepper.store()), state_hash(next)) << after;
+      EXPECT_EQ(stepper.store().tension, next.tension) << after;
+    };
+    const State first = step_from(built.start, h), second = step_from(first, h);
+    const std::unique_ptr<Stepper> going = loaded(built.start);
+    expect_step_to(*going, first, h, "being made");
+    expect_step_to(*going, second, h, "a step");
+    going->undo();
+    expect_step_to(*going, second, h, "a step taken back");
+    going->load(built.start);
+    expect_step_to(*going, first, h, "another state");
+    State flung = first;
+    for (std::size_t i = 1; i < flung.velocity.size(); i += 2) flung.velocity.set(i, {1e4, -1e4, 1e4});
+    going->load(flung);
+    EXPECT_NE(step(*going, 1.0), StepStatus::done);
+    EXPECT_EQ(state_hash(going->store()), state_hash(flung)) << "a step that failed leaves the state";
+    expect_step_to(*going, step_from(flung, little), little, "a step that failed");
   }
 }
 

@@ -384,7 +384,7 @@ TEST(LongPaths, VisitLinksWhileTheyAreAtHand) {
 TEST(LongPaths, RefuseWhatIsNotFiniteWhereverItIs) {
   for (const std::size_t bad : {0U, 1U, 127U, 128U, 199U, 200U, 201U, 271U, 272U, 399U, 400U}) {
     RandomPath path(401, 10);
-    path.rows.y[bad] = std::numeric_limits<double>::infinity();
+    path.diagonal[bad] = std::numeric_limits<double>::infinity();  // which no other row hears of
     EXPECT_FALSE(path.system.matrix->factor_and_solve(path.rows, path.rows, path.diagonal, path.right))
         << bad;
   }
