@@ -39,6 +39,7 @@
 #include "direct/active_limits.h"
 #include "direct/anderson_mixing.h"
 #include "direct/chain_blocks.h"
+#include "direct/length_errors.h"
 #include "direct/link_system.h"
 #include "direct/newton_rounds.h"
 #include "direct/solve_memory.h"
@@ -74,15 +75,8 @@ class RattleStepper final : public SwappingStepper {
     const std::vector<Index> rigid = whole_rigid_links(model_, state);
     system_ = make_link_system(model_, rigid);
     no_compliance_.assign(rigid.size(), 0.0);
-    start_direction_.resize(rigid.size());
-    direction_.resize(rigid.size());
-    residual_.resize(rigid.size());
+    errors_.links_changed(system_.links);
     shortest_ = shortest_length(system_.links);
-    lengths_ = {};
-    for (const double length : system_.links.length) {
-      lengths_.square.push_back(length * length);
-      lengths_.inverse_square.push_back(1.0 / lengths_.square.back());
-    }
     factored_along_.resize(0);
     kicks_.links_changed(state);
     limits_.links_changed(state);
@@ -144,11 +138,11 @@ class RattleStepper final : public SwappingStepper {
   void predict(const State& start, double time, double h, double end_time, const Vectors& position,
                const Vectors& velocity) {
     GrowingExtent moved;
-    begin_measuring();
+    errors_.begin();
     farthest_ = 0.0;
-    if (direction_known_) std::swap(start_direction_, direction_);
+    if (direction_known_) std::swap(errors_.start_direction, errors_.direction);
     blocks_.visit([&](Extent block) {
-      if (!direction_known_) link_vectors(system_.links, position, start_direction_, block);
+      if (!direction_known_) link_vectors(system_.links, position, errors_.start_direction, block);
       const Extent masses = blocks_.masses_among({0, block.end});
       moved.grow(masses, [&](Extent more) {
         fall_freely(start, time, h, end_time, position, velocity, more);
@@ -178,12 +172,12 @@ class RattleStepper final : public SwappingStepper {
   void guess(const std::vector<double>& tension, double h, Extent some, Extent masses) {
     const SystemLinks& links = system_.links;
     if (blocks_.several())
-      some_of(residual_, some) =
-          some_of(tension, some) * some_of(lengths_.inverse_square, some) * some_of(links.length, some);
+      some_of(errors_.residual, some) =
+          some_of(tension, some) * some_of(errors_.inverse_square(), some) * some_of(links.length, some);
     else
       for (std::size_t i = 0; i < links.size(); ++i)
-        residual_[i] = tension[links.link[i]] * lengths_.inverse_square[i] * links.length[i];
-    push(start_direction_, position_, -0.5 * h * h, masses);
+        errors_.residual[i] = tension[links.link[i]] * errors_.inverse_square()[i] * links.length[i];
+    push(errors_.start_direction, position_, -0.5 * h * h, masses);
   }
 
   bool solve_positions(const Vectors& start, StepReport& report) {
@@ -192,10 +186,10 @@ class RattleStepper final : public SwappingStepper {
     mixing_.begin();
     double best = infinity, best_before = infinity;  // of these rounds, and of those before
     for (int round = 0; round < most_rounds; ++round) {
-      if (!look_at_misfit(report)) return false;
+      if (!errors_.sound(links, report)) return false;
       const double beyond = limits_.look(position_, &start);
-      if (misfit_.worst <= tolerance && beyond <= limit_tolerance) return direction_known_ = true;
-      best = std::min(best, misfit_.worst);
+      if (errors_.worst() <= tolerance && beyond <= limit_tolerance) return direction_known_ = true;
+      best = std::min(best, errors_.worst());
       if (round % rounds_to_gain == 0) {
         if (best > std::max(tolerance, least_gain * best_before)) break;
         best_before = std::exchange(best, infinity);
@@ -207,61 +201,28 @@ class RattleStepper final : public SwappingStepper {
       report.rounds += 1;
       report.link_solves += static_cast<std::int64_t>(links.size());
     }
-    if (!look_at_misfit(report)) return false;
+    if (!errors_.sound(links, report)) return false;
     report.status = StepStatus::not_converged;
-    if (links.size() > 0) report.worst_link = worst_link(report.status);
+    if (links.size() > 0) report.worst_link = errors_.worst_link(links, report.status);
     return false;
   }
 
-  void begin_measuring() {
-    misfit_ = {};
-    measured_ = {};
-  }
-  // d and g of the links between masses that have moved, and of all such since begin_measuring() the largest
-  // |g|/l².
-  void measure(Extent moved) {
-    measured_.grow(blocks_.links_among(moved), [this](Extent more) {
-      misfit_.add(
-          measure_lengths(system_.links, position_, start_direction_, lengths_, direction_, residual_, more));
-    });
-  }
-  // Reports a link that has lost its direction, or a number that is no longer finite.
-  bool look_at_misfit(StepReport& report) const {
-    if (misfit_.finite && misfit_.directed) return true;
-    report.status = misfit_.finite ? StepStatus::direction_lost : StepStatus::not_finite;
-    report.worst_link = worst_link(report.status);
-    return false;
-  }
-
-  // The link with the least share of its direction left, or the largest error; one that is not finite.
-  Index worst_link(StepStatus what) const {
-    Eigen::Index place = 0;
-    const auto inverse_square = all_of(lengths_.inverse_square);
-    const auto along = [&](const auto& d, const auto& start) { return all_of(d) * all_of(start); };
-    if (what == StepStatus::direction_lost)
-      ((along(direction_.x, start_direction_.x) + along(direction_.y, start_direction_.y) +
-        along(direction_.z, start_direction_.z)) *
-       inverse_square)
-          .minCoeff<Eigen::PropagateNaN>(&place);
-    else
-      (all_of(residual_) * inverse_square).abs().maxCoeff<Eigen::PropagateNaN>(&place);
-    return system_.links.link[static_cast<std::size_t>(place)];
-  }
+  void measure(Extent moved) { errors_.measure(system_.links, position_, blocks_.links_among(moved)); }
 
   // Solves for a round's change of the multipliers, and moves the masses by it.
   bool solve_round(StepReport& report) {
-    begin_measuring();
+    errors_.begin();
     GrowingExtent moved;
     const auto move_masses = [&](Extent solved) {
       if (!limits_.none())
-        limits_.push(system_, direction_, start_direction_, 1.0, residual_, position_);
+        limits_.push(system_, errors_.direction, errors_.start_direction, 1.0, errors_.residual, position_);
       else if (!system_.matrix->takes_unsymmetric())
-        mixing_.mix(residual_);
+        mixing_.mix(errors_.residual);
       const Extent masses = blocks_.masses_among(solved);
-      moved.grow(masses, [&](Extent more) { push(start_direction_, position_, -1.0, more); });
+      moved.grow(masses, [&](Extent more) { push(errors_.start_direction, position_, -1.0, more); });
       measure(masses);
     };
-    return factor_and_solve(start_direction_, {{}, move_masses}, report);
+    return factor_and_solve(errors_.start_direction, {{}, move_masses}, report);
   }
 
   // Factorises J W Cᵀ, or for a net C W Cᵀ unless its matrix already holds that, and solves for the residual;
@@ -270,27 +231,29 @@ class RattleStepper final : public SwappingStepper {
     LinkMatrix& matrix = *system_.matrix;
     if (blocks_.several()) {
       ++report.factorisations;
-      return matrix.factor_and_solve_by_blocks(direction_, columns, no_compliance_, residual_, visits);
+      return matrix.factor_and_solve_by_blocks(errors_.direction, columns, no_compliance_, errors_.residual,
+                                               visits);
     }
     visits.before(system_.links.all());
     const bool net = !matrix.takes_unsymmetric();
     if (!net || factored_along_ != columns) {
       ++report.factorisations;
       factored_along_.resize(0);
-      const Vectors& rows = net ? columns : direction_;
-      const bool factored = limits_.none() ? matrix.factor_and_solve(rows, columns, no_compliance_, residual_)
-                                           : matrix.factor(rows, columns, no_compliance_);
+      const Vectors& rows = net ? columns : errors_.direction;
+      const bool factored = limits_.none()
+                                ? matrix.factor_and_solve(rows, columns, no_compliance_, errors_.residual)
+                                : matrix.factor(rows, columns, no_compliance_);
       if (!factored) return false;
       if (net) factored_along_ = columns;
     } else if (limits_.none()) {
-      matrix.solve(residual_);
+      matrix.solve(errors_.residual);
     }
     visits.after(system_.links.all());
     return true;
   }
 
-  // The mean velocities of the step, half a kick at its end, and what links say to both: along direction_,
-  // which solve_positions() has left as that of the end of the step.
+  // The mean velocities of the step, half a kick at its end, and what links say to both: along
+  // errors_.direction, which solve_positions() has left as that of the end of the step.
   void solve_velocities(const State& start, double h, double end_time, const Vectors& position,
                         StepReport& report) {
     const double half = 0.5 * h;
@@ -299,25 +262,25 @@ class RattleStepper final : public SwappingStepper {
     if (blocks_.several()) energy_ = 0.0;
     const auto kick_masses = [&](Extent some) {
       end_half_kicks(start, h, end_time, position, blocks_.masses_at(some));
-      along_links(links, direction_, velocity_, residual_, some);
+      along_links(links, errors_.direction, velocity_, errors_.residual, some);
     };
     const auto answer = [&](Extent solved) {
-      if (!limits_.none()) limits_.stop(system_, direction_, position_, residual_, velocity_);
+      if (!limits_.none()) limits_.stop(system_, errors_.direction, position_, errors_.residual, velocity_);
       if (tension_of_velocities_)
         for (std::size_t i = 0; i < links.size(); ++i)
-          tension_[links.link[i]] = residual_[i] * links.length[i] * (1.0 + half * model_.drag) / half;
+          tension_[links.link[i]] = errors_.residual[i] * links.length[i] * (1.0 + half * model_.drag) / half;
       limits_.give_tensions(0.5 / (half * half), position_, tension_);
       const Extent masses = blocks_.masses_among(solved);
       answered.grow(masses, [&](Extent more) {
-        push(direction_, velocity_, -1.0, more);
+        push(errors_.direction, velocity_, -1.0, more);
         if (blocks_.several()) *energy_ += energy_of_some(model_, position_, velocity_, more);
       });
       if (blocks_.several())
         falling.grow(blocks_.links_among(masses), [&](Extent more) {
-          measure_falling_chain(model_, direction_, velocity_, residual_, more);
+          measure_falling_chain(model_, errors_.direction, velocity_, errors_.residual, more);
         });
     };
-    if (factor_and_solve(direction_, {kick_masses, answer}, report))
+    if (factor_and_solve(errors_.direction, {kick_masses, answer}, report))
       report.link_solves += static_cast<std::int64_t>(links.size());
     else
       report.status = StepStatus::factorisation_failed;
@@ -346,23 +309,25 @@ class RattleStepper final : public SwappingStepper {
       GrowingExtent known;
       const auto keep = [&](Extent solved) {
         known.grow(solved, [&](Extent more) {
-          some_of(tension_, more) = some_of(residual_, more) * some_of(links.length, more);
+          some_of(tension_, more) = some_of(errors_.residual, more) * some_of(links.length, more);
         });
       };
-      system_.matrix->solve_by_blocks(residual_, {{}, keep});
+      system_.matrix->solve_by_blocks(errors_.residual, {{}, keep});
       return;
     }
-    if (!only_falling() || !along_links_falling(model_, links, direction_, velocity_, residual_)) {
+    if (!only_falling() ||
+        !along_links_falling(model_, links, errors_.direction, velocity_, errors_.residual)) {
       kicks_.accelerations(whole, time, position_, velocity_, acceleration_, tension_);
-      along_links_moving(links, direction_, acceleration_, velocity_, residual_);
+      along_links_moving(links, errors_.direction, acceleration_, velocity_, errors_.residual);
     }
-    system_.matrix->solve(residual_);
-    for (std::size_t i = 0; i < links.size(); ++i) tension_[links.link[i]] = residual_[i] * links.length[i];
+    system_.matrix->solve(errors_.residual);
+    for (std::size_t i = 0; i < links.size(); ++i)
+      tension_[links.link[i]] = errors_.residual[i] * links.length[i];
   }
 
   // Adds factor·W Cᵀ times the residual to some masses.
   void push(const Vectors& columns, Vectors& target, double factor, Extent masses) const {
-    blocks_.push(model_, system_.links, columns, residual_, target, factor, masses);
+    blocks_.push(model_, system_.links, columns, errors_.residual, target, factor, masses);
   }
 
   const Model& model_;
@@ -378,13 +343,9 @@ class RattleStepper final : public SwappingStepper {
   Vectors factored_along_;  // directions whose symmetric matrix a net's factor holds
   Vectors half_velocity_, acceleration_;
   Vectors part_position_, part_velocity_;  // where a part of a step of order 4 begins
-  Vectors start_direction_, direction_;
-  bool direction_known_ = false;  // whether direction_ is that of where the next part of a step begins
-  std::vector<double> residual_;  // g, m²
-  SquaredLengths lengths_;
+  LengthErrors errors_;
+  bool direction_known_ = false;  // whether errors_.direction is that of where the next part of a step begins
   double shortest_ = 1.0, farthest_ = 0.0;  // length and, at first in a step, coordinate (m)
-  Misfit misfit_;
-  GrowingExtent measured_;
 };
 
 constexpr std::array<std::string_view, 2> orders{"2", "4"};
