@@ -42,12 +42,7 @@ class PathMatrix final : public LinkMatrix {
     PathEnd front, back;
     for (std::size_t block = 0; block < blocks(); ++block) {
       const Sides sides = sides_of(block);
-      if (is_last(block)) {
-        visits.before(sides.with_all_between());
-      } else {
-        visits.before(sides.front);
-        visits.before(sides.back);
-      }
+      visit_inward(block, visits.before);
       pass_inward(sides, front.carried, back.carried, b);
     }
     b[middle_] -= front.carried + back.carried;
@@ -72,13 +67,20 @@ class PathMatrix final : public LinkMatrix {
   };
   std::size_t size() const { return weight_.size(); }
   std::size_t blocks() const { return std::max<std::size_t>(1, (middle_ + path_block - 1) / path_block); }
-  bool is_last(std::size_t block) const { return block + 1 == blocks(); }
   // Counted from the ends; the last one's sides have but the middle between them.
   Sides sides_of(std::size_t block) const {
     const std::size_t begin = block * path_block, behind = size() - 1 - middle_;
     const std::size_t front_end = std::min(begin + path_block, middle_);
     const std::size_t back_end = std::min(begin + path_block, behind);
     return {{begin, front_end}, {size() - back_end, size() - std::min(begin, behind)}};
+  }
+
+  // The sides of a block, and with the last one the middle.
+  void visit_inward(std::size_t block, const ExtentVisit& visit) const {
+    const Sides sides = sides_of(block);
+    if (block + 1 == blocks()) return visit(sides.with_all_between());
+    visit(sides.front);
+    visit(sides.back);
   }
 
   // One that is symmetric has the same off-diagonals on both sides.
@@ -106,12 +108,7 @@ class PathMatrix final : public LinkMatrix {
     bool sound = true;
     for (std::size_t block = 0; block < blocks(); ++block) {
       const Sides sides = sides_of(block);
-      if (is_last(block)) {
-        before(sides.with_all_between());
-      } else {
-        before(sides.front);
-        before(sides.back);
-      }
+      visit_inward(block, before);
       const PathRows of_block{sides.front.begin, sides.front.end, size() - sides.back.begin};
       sound = eliminate_path(path, of_block, front, back, b) && sound;
     }
@@ -169,8 +166,8 @@ class PathMatrix final : public LinkMatrix {
   std::vector<double> entry_;          // A_ii
   std::vector<double> above_, below_;  // [i + 1]: A_{i,i+1}, A_{i+1,i}; the latter only where they differ
   std::vector<double> inverse_pivot_;
-  std::vector<double> inward_,
-      outward_;  // off-diagonals over the pivot: towards the middle's row, and its own
+  // Off-diagonals over the pivot: towards the middle's row, and its own.
+  std::vector<double> inward_, outward_;
 };
 
 }  // namespace
