@@ -12,10 +12,13 @@ class FileOrderStepper : public Stepper {
   void load(const State& state) final;
   StepReport step(double h, double end_time) final;
   const State& store() final { return state_; }
+  std::optional<double> energy() final { return energy_; }
   void undo() override {}
 
  protected:
   State state_;
+  std::optional<double> energy_;  // as energy() is to give it; only known where the last step has set it
+  bool goes_on_ = false;          // whether the state is as the last step of make_step() has left it
 
  private:
   /// Moves the state on, or leaves it as it was where that fails.
@@ -35,9 +38,10 @@ class SwappingStepper : public FileOrderStepper {
  protected:
   /// Begins a step: the work is a copy of the state …
   void copy_to_work(const State& state);
-  /// … or as large as that, with a copy of its tensions.
-  void begin_work(const State& state);
-  /// Ends one: swaps the work in and moves the time on, or reports not_finite and changes nothing.
+  /// … or as large as that, with a copy of its tensions, unless the step sets all of them.
+  void begin_work(const State& state, bool sets_tensions = false);
+  /// Ends one: swaps the work in and moves the time on, or reports not_finite and changes nothing. Where the
+  /// energy is known and finite, so is all that it was summed from, which is all there is.
   void take_over(State& state, double end_time, StepReport& report);
 
   Vectors position_, velocity_;

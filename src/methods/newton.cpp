@@ -47,23 +47,43 @@ class NewtonStepper final : public SwappingStepper {
   }
 
   StepReport make_step(State& state, double h, double end_time) override {
-    copy_to_work(state);
-    kick(model_, end_time, h, state.velocity, velocity_);
-    blow(model_, state, state.position, state.velocity, end_time, h, velocity_);
-    joints_.act(state, h, 1.0, velocity_);
-    drift(h, state.position, velocity_, position_);
-    place_pins(model_, end_time, position_, velocity_);
-
+    const bool in_blocks = projection_ && projection_->blocks().several();
+    begin_work(state, in_blocks);
+    const auto fall = [&](Extent masses) { fall_freely(state, h, end_time, masses); };
     StepReport report;
-    const bool solved = projection_ ? projection_->solve(state.position, h, position_, tension_, report)
-                                    : net_->solve(state.position, h, position_, tension_, report);
-    if (!solved) return report;
-
-    difference_quotient(h, state.position, position_, velocity_);
-    place_pins(model_, end_time, position_, velocity_);
+    if (projection_) {
+      if (!projection_->solve(state.position, h, fall, position_, tension_, report)) return report;
+    } else {
+      fall({0, position_.size()});
+      if (!net_->solve(state.position, h, position_, tension_, report)) return report;
+    }
+    if (in_blocks) {
+      energy_ = 0.0;
+      projection_->blocks().visit_masses([&](Extent masses) {
+        difference_quotient(h, state.position, position_, velocity_, masses);
+        *energy_ += energy_of_some(model_, position_, velocity_, masses);
+      });
+    } else {
+      difference_quotient(h, state.position, position_, velocity_);
+      place_pins(model_, end_time, position_, velocity_);
+    }
     take_over(state, end_time, report);
     if (report.status == StepStatus::done) joints_.keep(position_, state);
     return report;
+  }
+
+  // Where masses would be without links.
+  void fall_freely(const State& state, double h, double end_time, Extent masses) {
+    if (!model_.wind && model_.joints.empty()) {
+      kick_and_drift(model_, end_time, h, h, state.position, state.velocity, velocity_, position_,
+                     DragAt::end, masses);
+    } else {
+      kick(model_, end_time, h, state.velocity, velocity_);
+      blow(model_, state, state.position, state.velocity, end_time, h, velocity_);
+      joints_.act(state, h, 1.0, velocity_);
+      drift(h, state.position, velocity_, position_);
+    }
+    place_pins(model_, end_time, position_, velocity_);
   }
 
   const Model& model_;

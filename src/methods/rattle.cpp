@@ -38,6 +38,8 @@
 #include "contact/joint_resistance.h"
 #include "direct/active_limits.h"
 #include "direct/anderson_mixing.h"
+#include "direct/chain_blocks.h"
+#include "direct/length_errors.h"
 #include "direct/link_system.h"
 #include "direct/newton_rounds.h"
 #include "direct/solve_memory.h"
@@ -45,6 +47,7 @@
 #include "forces/forces.h"
 #include "forces/free_acceleration.h"
 #include "forces/half_kicks.h"
+#include "forces/mass_kernels.h"
 #include "methods/method.h"
 #include "parameters.h"
 
@@ -72,18 +75,23 @@ class RattleStepper final : public SwappingStepper {
     const std::vector<Index> rigid = whole_rigid_links(model_, state);
     system_ = make_link_system(model_, rigid);
     no_compliance_.assign(rigid.size(), 0.0);
-    lengths_ = {};
-    for (const double length : system_.links.length) {
-      lengths_.square.push_back(length * length);
-      lengths_.inverse_square.push_back(1.0 / lengths_.square.back());
-    }
+    errors_.links_changed(system_.links);
+    shortest_ = shortest_length(system_.links);
     factored_along_.resize(0);
     kicks_.links_changed(state);
     limits_.links_changed(state);
+    blocks_ = ChainBlocks(model_, system_.links);
+  }
+
+  // Whether nothing acts but gravity, loads and drag; and of those no loads, and no pins that move.
+  bool only_fields() const { return kicks_.only_fields() && model_.joints.empty(); }
+  bool only_falling() const {
+    return kicks_.only_fields() && model_.loads.empty() && model_.driven_pins.empty();
   }
 
   StepReport make_step(State& state, double h, double end_time) override {
-    begin_work(state);
+    begin_work(state, blocks_.several());
+    direction_known_ = goes_on_;
     StepReport report;
     if (order_ == 2)
       sub_step(state, state.time, h, end_time, state.position, state.velocity, report);
@@ -120,55 +128,68 @@ class RattleStepper final : public SwappingStepper {
   // One step of order 2 from a time to another, to position_ and velocity_.
   void sub_step(const State& start, double time, double h, double end_time, const Vectors& position,
                 const Vectors& velocity, StepReport& report) {
+    predict(start, time, h, end_time, position, velocity);
+    report.link_solves += kicks_.solves();
+    if (solve_positions(position, report)) solve_velocities(start, h, end_time, position, report);
+  }
+
+  // Where forces take the masses, and what links pulled with before, and what that leaves of the links'
+  // lengths.
+  void predict(const State& start, double time, double h, double end_time, const Vectors& position,
+               const Vectors& velocity) {
+    GrowingExtent moved;
+    errors_.begin();
+    farthest_ = 0.0;
+    if (direction_known_) std::swap(errors_.start_direction, errors_.direction);
+    blocks_.visit([&](Extent block) {
+      if (!direction_known_) link_vectors(system_.links, position, errors_.start_direction, block);
+      const Extent masses = blocks_.masses_among({0, block.end});
+      moved.grow(masses, [&](Extent more) {
+        fall_freely(start, time, h, end_time, position, velocity, more);
+        if (!tension_of_velocities_) guess(start.tension, h, block, more);
+        farthest_ = std::max(farthest_, largest_of(more.size(), to_read(position_, more.begin)));
+      });
+      measure(masses);
+    });
+  }
+
+  // Half a kick at the start, and a drift.
+  void fall_freely(const State& start, double time, double h, double end_time, const Vectors& position,
+                   const Vectors& velocity, Extent masses) {
     const double half = 0.5 * h;
-    link_vectors(system_.links, position, start_direction_);
-    const bool only_fields = kicks_.only_fields() && model_.joints.empty();
-    if (only_fields) {
-      kick_and_drift(model_, time, half, h, position, velocity, velocity_, position_, DragAt::start);
+    if (only_fields()) {
+      kick_and_drift(model_, time, half, h, position, velocity, velocity_, position_, DragAt::start, masses);
     } else {
       kicks_.start(start, time, half, position, velocity, velocity, half_velocity_);
       joints_.act(start, h, 0.5, half_velocity_);
       drift(h, position, half_velocity_, position_);
     }
-    place_pins(model_, end_time, position_, only_fields ? velocity_ : half_velocity_);
-    report.link_solves += kicks_.solves();
+    place_pins(model_, end_time, position_, only_fields() ? velocity_ : half_velocity_);
     limits_.begin_half_kicks(h, position, position_);
-    if (!tension_of_velocities_) guess(start.tension, h);
-    if (!solve_positions(position, report)) return;
-
-    place_pins(model_, end_time, position_, velocity_);
-    if (only_fields) {
-      mean_velocity_and_kick(model_, end_time, half, h, position, position_, velocity_);
-    } else {
-      difference_quotient(h, position, position_, velocity_);
-      place_pins(model_, end_time, position_, velocity_);
-      kicks_.end(start, end_time, half, position_, half_velocity_, velocity_, tension_);
-    }
-    limits_.kick(position_, 1.0 / (1.0 + half * model_.drag), velocity_);
-    joints_.finish(0.5, position_, velocity_);
-    solve_velocities(half, report);
   }
 
   // What links pull with at the start of the step brings positions within O(h³) of where they belong.
-  void guess(const std::vector<double>& tension, double h) {
+  void guess(const std::vector<double>& tension, double h, Extent some, Extent masses) {
     const SystemLinks& links = system_.links;
-    residual_.resize(links.size());
-    for (std::size_t i = 0; i < links.size(); ++i)
-      residual_[i] = tension[links.link[i]] * lengths_.inverse_square[i] * links.length[i];
-    apply_impulses(links, start_direction_, residual_, position_, -0.5 * h * h);
+    if (blocks_.several())
+      some_of(errors_.residual, some) =
+          some_of(tension, some) * some_of(errors_.inverse_square(), some) * some_of(links.length, some);
+    else
+      for (std::size_t i = 0; i < links.size(); ++i)
+        errors_.residual[i] = tension[links.link[i]] * errors_.inverse_square()[i] * links.length[i];
+    push(errors_.start_direction, position_, -0.5 * h * h, masses);
   }
 
   bool solve_positions(const Vectors& start, StepReport& report) {
     const SystemLinks& links = system_.links;
-    const double tolerance = length_tolerance(links, position_);
+    const double tolerance = length_tolerance(shortest_, farthest_);
     mixing_.begin();
     double best = infinity, best_before = infinity;  // of these rounds, and of those before
     for (int round = 0; round < most_rounds; ++round) {
-      const double worst = measure_residual(report);
-      if (report.status != StepStatus::done) return false;
+      if (!errors_.sound(links, report)) return false;
       const double beyond = limits_.look(position_, &start);
-      if (worst <= tolerance && beyond <= limit_tolerance) return true;
-      best = std::min(best, worst);
+      if (errors_.worst() <= tolerance && beyond <= limit_tolerance) return direction_known_ = true;
+      best = std::min(best, errors_.worst());
       if (round % rounds_to_gain == 0) {
         if (best > std::max(tolerance, least_gain * best_before)) break;
         best_before = std::exchange(best, infinity);
@@ -179,97 +200,134 @@ class RattleStepper final : public SwappingStepper {
       }
       report.rounds += 1;
       report.link_solves += static_cast<std::int64_t>(links.size());
-      apply_impulses(links, start_direction_, residual_, position_, -1.0);
     }
-    measure_residual(report);
-    if (report.status != StepStatus::done) return false;
+    if (!errors_.sound(links, report)) return false;
     report.status = StepStatus::not_converged;
-    if (links.size() > 0) report.worst_link = worst_link(report.status);
+    if (links.size() > 0) report.worst_link = errors_.worst_link(links, report.status);
     return false;
   }
 
-  // d and g of every link; returns the largest |g|/l². Reports a link that has lost its direction, or a
-  // number that is no longer finite.
-  double measure_residual(StepReport& report) {
-    const Misfit misfit =
-        measure_lengths(system_.links, position_, start_direction_, lengths_, direction_, residual_);
-    if (misfit.finite && misfit.directed) return misfit.worst;
-    report.status = misfit.finite ? StepStatus::direction_lost : StepStatus::not_finite;
-    report.worst_link = worst_link(report.status);
-    return misfit.worst;
-  }
+  void measure(Extent moved) { errors_.measure(system_.links, position_, blocks_.links_among(moved)); }
 
-  // The link with the least share of its direction left, or the largest error; one that is not finite.
-  Index worst_link(StepStatus what) const {
-    Eigen::Index place = 0;
-    const auto inverse_square = all_of(lengths_.inverse_square);
-    const auto along = [&](const auto& d, const auto& start) { return all_of(d) * all_of(start); };
-    if (what == StepStatus::direction_lost)
-      ((along(direction_.x, start_direction_.x) + along(direction_.y, start_direction_.y) +
-        along(direction_.z, start_direction_.z)) *
-       inverse_square)
-          .minCoeff<Eigen::PropagateNaN>(&place);
-    else
-      (all_of(residual_) * inverse_square).abs().maxCoeff<Eigen::PropagateNaN>(&place);
-    return system_.links.link[static_cast<std::size_t>(place)];
-  }
-
-  // A round's change of the multipliers, in place of the residual.
+  // Solves for a round's change of the multipliers, and moves the masses by it.
   bool solve_round(StepReport& report) {
-    if (!factor_and_solve(start_direction_, report)) return false;
-    if (!limits_.none())
-      limits_.push(system_, direction_, start_direction_, 1.0, residual_, position_);
-    else if (!system_.matrix->takes_unsymmetric())
-      mixing_.mix(residual_);
-    return true;
+    errors_.begin();
+    GrowingExtent moved;
+    const auto move_masses = [&](Extent solved) {
+      if (!limits_.none())
+        limits_.push(system_, errors_.direction, errors_.start_direction, 1.0, errors_.residual, position_);
+      else if (!system_.matrix->takes_unsymmetric())
+        mixing_.mix(errors_.residual);
+      const Extent masses = blocks_.masses_among(solved);
+      moved.grow(masses, [&](Extent more) { push(errors_.start_direction, position_, -1.0, more); });
+      measure(masses);
+    };
+    return factor_and_solve(errors_.start_direction, {{}, move_masses}, report);
   }
 
   // Factorises J W Cᵀ, or for a net C W Cᵀ unless its matrix already holds that, and solves for the residual;
   // but where limits border the system that is left to them.
-  bool factor_and_solve(const Vectors& columns, StepReport& report) {
+  bool factor_and_solve(const Vectors& columns, const LinkVisits& visits, StepReport& report) {
     LinkMatrix& matrix = *system_.matrix;
+    if (blocks_.several()) {
+      ++report.factorisations;
+      return matrix.factor_and_solve_by_blocks(errors_.direction, columns, no_compliance_, errors_.residual,
+                                               visits);
+    }
+    visits.before(system_.links.all());
     const bool net = !matrix.takes_unsymmetric();
-    if (net && factored_along_ == columns) {
-      if (limits_.none()) matrix.solve(residual_);
-      return true;
+    if (!net || factored_along_ != columns) {
+      ++report.factorisations;
+      factored_along_.resize(0);
+      const Vectors& rows = net ? columns : errors_.direction;
+      const bool factored = limits_.none()
+                                ? matrix.factor_and_solve(rows, columns, no_compliance_, errors_.residual)
+                                : matrix.factor(rows, columns, no_compliance_);
+      if (!factored) return false;
+      if (net) factored_along_ = columns;
+    } else if (limits_.none()) {
+      matrix.solve(errors_.residual);
     }
-    ++report.factorisations;
-    factored_along_.resize(0);
-    const Vectors& rows = net ? columns : direction_;
-    const bool factored = limits_.none() ? matrix.factor_and_solve(rows, columns, no_compliance_, residual_)
-                                         : matrix.factor(rows, columns, no_compliance_);
-    if (factored && net) factored_along_ = columns;
-    return factored;
+    visits.after(system_.links.all());
+    return true;
   }
 
-  // Along direction_, which solve_positions() has left as that of the end of the step.
-  void solve_velocities(double half, StepReport& report) {
+  // The mean velocities of the step, half a kick at its end, and what links say to both: along
+  // errors_.direction, which solve_positions() has left as that of the end of the step.
+  void solve_velocities(const State& start, double h, double end_time, const Vectors& position,
+                        StepReport& report) {
+    const double half = 0.5 * h;
     const SystemLinks& links = system_.links;
-    along_links(links, direction_, velocity_, residual_);
-    if (!factor_and_solve(direction_, report)) {
+    GrowingExtent answered, falling;
+    if (blocks_.several()) energy_ = 0.0;
+    const auto kick_masses = [&](Extent some) {
+      end_half_kicks(start, h, end_time, position, blocks_.masses_at(some));
+      along_links(links, errors_.direction, velocity_, errors_.residual, some);
+    };
+    const auto answer = [&](Extent solved) {
+      if (!limits_.none()) limits_.stop(system_, errors_.direction, position_, errors_.residual, velocity_);
+      if (tension_of_velocities_)
+        for (std::size_t i = 0; i < links.size(); ++i)
+          tension_[links.link[i]] = errors_.residual[i] * links.length[i] * (1.0 + half * model_.drag) / half;
+      limits_.give_tensions(0.5 / (half * half), position_, tension_);
+      const Extent masses = blocks_.masses_among(solved);
+      answered.grow(masses, [&](Extent more) {
+        push(errors_.direction, velocity_, -1.0, more);
+        if (blocks_.several()) *energy_ += energy_of_some(model_, position_, velocity_, more);
+      });
+      if (blocks_.several())
+        falling.grow(blocks_.links_among(masses), [&](Extent more) {
+          measure_falling_chain(model_, errors_.direction, velocity_, errors_.residual, more);
+        });
+    };
+    if (factor_and_solve(errors_.direction, {kick_masses, answer}, report))
+      report.link_solves += static_cast<std::int64_t>(links.size());
+    else
       report.status = StepStatus::factorisation_failed;
-      return;
-    }
-    if (!limits_.none()) limits_.stop(system_, direction_, position_, residual_, velocity_);
-    report.link_solves += static_cast<std::int64_t>(links.size());
-    if (tension_of_velocities_)
-      for (std::size_t i = 0; i < links.size(); ++i)
-        tension_[links.link[i]] = residual_[i] * links.length[i] * (1.0 + half * model_.drag) / half;
-    limits_.give_tensions(0.5 / (half * half), position_, tension_);
-    apply_impulses(links, direction_, residual_, velocity_, -1.0);
   }
 
-  // With the matrix of the velocities, which the system still holds.
+  void end_half_kicks(const State& start, double h, double end_time, const Vectors& position, Extent masses) {
+    const double half = 0.5 * h;
+    place_pins(model_, end_time, position_, velocity_);
+    if (only_fields()) {
+      mean_velocity_and_kick(model_, end_time, half, h, position, position_, velocity_, masses);
+    } else {
+      difference_quotient(h, position, position_, velocity_);
+      place_pins(model_, end_time, position_, velocity_);
+      kicks_.end(start, end_time, half, position_, half_velocity_, velocity_, tension_);
+    }
+    limits_.kick(position_, 1.0 / (1.0 + half * model_.drag), velocity_);
+    joints_.finish(0.5, position_, velocity_);
+  }
+
+  // With the matrix of the velocities, which the system still holds; what is asked of links in blocks is
+  // known.
   void solve_tensions(const State& whole, double time, StepReport& report) {
     const SystemLinks& links = system_.links;
-    const bool only_falling = kicks_.only_fields() && model_.loads.empty() && model_.driven_pins.empty();
-    if (!only_falling || !along_links_falling(model_, links, direction_, velocity_, residual_)) {
-      kicks_.accelerations(whole, time, position_, velocity_, acceleration_, tension_);
-      along_links_moving(links, direction_, acceleration_, velocity_, residual_);
-    }
-    system_.matrix->solve(residual_);
     report.link_solves += static_cast<std::int64_t>(links.size());
-    for (std::size_t i = 0; i < links.size(); ++i) tension_[links.link[i]] = residual_[i] * links.length[i];
+    if (blocks_.several()) {
+      GrowingExtent known;
+      const auto keep = [&](Extent solved) {
+        known.grow(solved, [&](Extent more) {
+          some_of(tension_, more) = some_of(errors_.residual, more) * some_of(links.length, more);
+        });
+      };
+      system_.matrix->solve_by_blocks(errors_.residual, {{}, keep});
+      return;
+    }
+    if (!only_falling() ||
+        !along_links_falling(model_, links, errors_.direction, velocity_, errors_.residual)) {
+      kicks_.accelerations(whole, time, position_, velocity_, acceleration_, tension_);
+      along_links_moving(links, errors_.direction, acceleration_, velocity_, errors_.residual);
+    }
+    system_.matrix->solve(errors_.residual);
+    for (std::size_t i = 0; i < links.size(); ++i)
+      tension_[links.link[i]] = errors_.residual[i] * links.length[i];
+  }
+
+  // Adds factor·W Cᵀ times the residual to some masses.
+  void push(const Vectors& columns, Vectors& target, double factor, Extent masses) const {
+    blocks_.push(model_, system_.links, columns, errors_.residual, target, factor, masses);
   }
 
   const Model& model_;
@@ -279,14 +337,15 @@ class RattleStepper final : public SwappingStepper {
   JointResistance joints_;
   bool tension_of_velocities_;  // what stops and joints do is no part of the tension at acceleration level
   LinkSystem system_;
+  ChainBlocks blocks_;
   AndersonMixing mixing_;
   std::vector<double> no_compliance_;
   Vectors factored_along_;  // directions whose symmetric matrix a net's factor holds
   Vectors half_velocity_, acceleration_;
   Vectors part_position_, part_velocity_;  // where a part of a step of order 4 begins
-  Vectors start_direction_, direction_;
-  std::vector<double> residual_;  // g, m²
-  SquaredLengths lengths_;
+  LengthErrors errors_;
+  bool direction_known_ = false;  // whether errors_.direction is that of where the next part of a step begins
+  double shortest_ = 1.0, farthest_ = 0.0;  // length and, at first in a step, coordinate (m)
 };
 
 constexpr std::array<std::string_view, 2> orders{"2", "4"};

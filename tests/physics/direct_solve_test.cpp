@@ -1,7 +1,10 @@
 // Link lengths to machine precision, on chains of every length, trees, nets, and the cases that are hard.
 
+#include <fmt/format.h>
+
 #include "fixtures.h"
 #include "measure/exact.h"
+#include "methods/registry.h"
 #include "model/measures.h"
 
 namespace taut::test {
@@ -184,6 +187,141 @@ TEST(Rattle, RefusesSpringsTooStiffForTheStep) {
     }
     EXPECT_EQ(simulate(built.model, state, settings(method, 2400.0), 1).end, RunEnd::none);
   }
+}
+
+struct Moved {
+  State state;
+  StepReport counts;
+};
+
+Moved moved_by(const Model& model, const State& start, const Settings& how, std::int64_t steps) {
+  taut::Run run(model, start, how);
+  while (run.steps() < steps && run.step()) {
+  }
+  return {run.state(), run.report().counts};
+}
+
+// A chain in an arc across all axes.
+Description arc(int links, const std::vector<std::string>& pinned) {
+  Description description = level_chain(links, 0.1);
+  description.chains[0].to = {0.06 * links, 0.02 * links, 0.03 * links};
+  description.chains[0].length = 0.1 * links;
+  description.chains[0].pinned = pinned;
+  return description;
+}
+
+// Chains that only fall are taken block by block from both ends, so what holds where blocks meet is asked of
+// lengths about those of blocks. A load of no force changes nothing but that they are taken all at once.
+void expect_same_in_blocks(const Built& built, const Settings& how, std::int64_t steps) {
+  Model loaded = built.model;
+  loaded.loads.push_back({{0}, Vec3::Zero(), 0.0, 0.0});
+  const Moved in_blocks = moved_by(built.model, built.start, how, steps),
+              at_once = moved_by(loaded, built.start, how, steps);
+  EXPECT_EQ(in_blocks.state.position, at_once.state.position);
+  EXPECT_EQ(in_blocks.state.velocity, at_once.state.velocity);
+  EXPECT_EQ(in_blocks.state.tension, at_once.state.tension);
+  EXPECT_EQ(in_blocks.state.time, at_once.state.time);
+  EXPECT_EQ(in_blocks.counts.status, at_once.counts.status);
+  EXPECT_EQ(in_blocks.counts.worst_link, at_once.counts.worst_link);
+  EXPECT_EQ(in_blocks.counts.rounds, at_once.counts.rounds);
+  EXPECT_EQ(in_blocks.counts.factorisations, at_once.counts.factorisations);
+  EXPECT_EQ(in_blocks.counts.halvings, at_once.counts.halvings);
+}
+
+TEST_P(DirectMethods, ChainsInBlocksAreThoseAllAtOnce) {
+  const std::vector<std::vector<std::string>> pins{{"first"}, {"last"}, {"first", "last"}, {}};
+  const std::vector<int> lengths{1,   2,   7,   8,   9,   15,  16,  17,  33,   40,   255,  256,
+                                 257, 511, 512, 513, 514, 515, 544, 545, 1023, 1025, 1026, 1600};
+  for (const int links : lengths)
+    for (std::size_t i = 0; i < pins.size(); ++i) {
+      SCOPED_TRACE(fmt::format("{} links, pins {}", links, i));
+      if (links == 1 && i == 2) continue;  // nothing moves
+      expect_same_in_blocks(build_valid(arc(links, pins[i])), settings(GetParam(), 2400.0), 4);
+    }
+}
+
+TEST_P(DirectMethods, ChainsInBlocksAreThoseAllAtOnceWithDragAndHeavyTips) {
+  for (const int links : {100, 600, 1100}) {
+    Description description = arc(links, {"first"});
+    description.drag = 0.7;
+    description.chains[0].last_mass = 300.0;
+    expect_same_in_blocks(build_valid(description), settings(GetParam(), 2400.0), 6);
+  }
+}
+
+// Steps that fail and are halved, and some that fail at every length.
+TEST_P(DirectMethods, ChainsInBlocksFailLikeThoseAllAtOnce) {
+  for (const double rate : {5.0, 30.0, 60.0, 120.0}) {
+    SCOPED_TRACE(rate);
+    Description description = arc(700, {"first"});
+    description.chains[0].last_mass = 1000.0;
+    expect_same_in_blocks(build_valid(description), settings(GetParam(), rate), 4);
+  }
+}
+
+TEST_P(DirectMethods, ChainsWithABrokenLinkGoOn) {
+  Built built = build_valid(arc(700, {"first"}));
+  for (const std::size_t broken : {0U, 1U, 256U, 350U, 699U}) {
+    State state = built.start;
+    state.broken_at[broken] = 0.0;
+    expect_same_in_blocks({built.model, state, {}}, settings(GetParam(), 2400.0), 4);
+  }
+}
+
+// What a stepper keeps of its last step must not outlive the state that the step came to.
+TEST_P(DirectMethods, StepsKnowNothingOfStepsThatDoNotCount) {
+  Description net;
+  SheetSpec sheet;
+  sheet.name = "net";
+  sheet.rows = sheet.columns = 4;
+  sheet.to = {0.3, 0.0, 0.1};
+  sheet.down = {0.0, -0.3, 0.1};
+  sheet.pinned = {"top-left"};
+  net.sheets = {sheet};
+  for (const Description& description : {arc(40, {"first"}), arc(5, {"first"}), net}) {
+    const Built built = build_valid(description);
+    const Method& method = method_called(GetParam());
+    const auto loaded = [&](const State& state) {
+      std::unique_ptr<Stepper> stepper =
+          method.make(built.model, complete_settings(settings(GetParam(), 1000.0)), {});
+      stepper->load(state);
+      return stepper;
+    };
+    const auto step = [](Stepper& stepper, double h) {
+      return stepper.step(h, stepper.store().time + h).status;
+    };
+    const double h = 1e-3, little = 1e-9;
+    const auto step_from = [&](const State& state, double length) {
+      const std::unique_ptr<Stepper> stepper = loaded(state);
+      EXPECT_EQ(step(*stepper, length), StepStatus::done);
+      return stepper->store();
+    };
+    const auto expect_step_to = [&](Stepper& stepper, const State& next, double length, const char* after) {
+      EXPECT_EQ(step(stepper, length), StepStatus::done) << after;
+      EXPECT_EQ(state_hash(stepper.store()), state_hash(next)) << after;
+      EXPECT_EQ(stepper.store().tension, next.tension) << after;
+    };
+    const State first = step_from(built.start, h), second = step_from(first, h);
+    const std::unique_ptr<Stepper> going = loaded(built.start);
+    expect_step_to(*going, first, h, "being made");
+    expect_step_to(*going, second, h, "a step");
+    going->undo();
+    expect_step_to(*going, second, h, "a step taken back");
+    going->load(built.start);
+    expect_step_to(*going, first, h, "another state");
+    State flung = first;
+    for (std::size_t i = 1; i < flung.velocity.size(); i += 2) flung.velocity.set(i, {1e4, -1e4, 1e4});
+    going->load(flung);
+    EXPECT_NE(step(*going, 1.0), StepStatus::done);
+    EXPECT_EQ(state_hash(going->store()), state_hash(flung)) << "a step that failed leaves the state";
+    expect_step_to(*going, step_from(flung, little), little, "a step that failed");
+  }
+}
+
+TEST(Rattle, OfOrderFourTakesChainsInBlocksToo) {
+  Settings how = settings("rattle", 2400.0);
+  how.values["order"] = std::string("4");
+  for (const int links : {20, 513, 800}) expect_same_in_blocks(build_valid(arc(links, {"first"})), how, 4);
 }
 
 // The third part of a step of order 4 ends when the step does, not where the sum of its parts comes to.

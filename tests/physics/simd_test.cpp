@@ -83,6 +83,21 @@ TEST_P(Simd, EveryTargetGivesTheSameBits) {
   }
 }
 
+// Long enough for blocks of links, and of no even number of vectors.
+TEST(LongChains, GiveTheSameBitsOnEveryTarget) {
+  const BestSimdAgain again;
+  const Built built = build_valid(level_chain(707, 0.1));
+  for (const char* method : {"rattle", "newton"}) {
+    const Settings how = settings(method, 600.0);
+    force_simd("");
+    const std::uint64_t best = hash_of(built.model, built.start, how, 5);
+    for (const std::string& target : simd_targets()) {
+      force_simd(target);
+      EXPECT_EQ(hash_of(built.model, built.start, how, 5), best) << target << ' ' << method;
+    }
+  }
+}
+
 TEST_P(Simd, AnyNumberOfThreadsGivesTheSameBits) {
   const Scene scene = scene_called(GetParam());
   for (const Settings& settings : relaxations(scene)) {

@@ -304,6 +304,92 @@ TEST(LongPaths, SolveAlikeAtAnyScale) {
   }
 }
 
+// A path of masses at random, and what its matrix is asked to solve.
+struct RandomPath {
+  Built built;
+  LinkSystem system;
+  Vectors rows, columns;
+  std::vector<double> diagonal, right;
+
+  RandomPath(int links, unsigned seed)
+      : built(build_case({"row", Shape::path, links + 1, {0}, row_links(links + 1)}, seed)),
+        system(make_link_system(built.model, solvable_links(built.model))) {
+    std::mt19937 random(seed + 7);
+    link_vectors(system.links, built.start.position, rows);
+    columns = turned(rows, random);
+    diagonal = random_numbers(system.links.size(), 0.5, 1.0, random);
+    right = random_numbers(system.links.size(), -1.0, 1.0, random);
+  }
+};
+
+// Lengths about those of blocks, and of groups in them.
+const std::vector<int> lengths_of_paths{1,   2,   3,   15,  16,  31,  32,  33,  34,  35,  127, 128, 255, 256,
+                                        257, 258, 259, 273, 288, 289, 290, 511, 512, 513, 514, 515, 700};
+
+TEST(LongPaths, AreSolvedAtEveryLength) {
+  for (const int links : lengths_of_paths) {
+    SCOPED_TRACE(links);
+    RandomPath path(links, 8);
+    for (const Vectors* columns : {&path.rows, &path.columns}) {
+      std::vector<double> solution = path.right, answer;
+      ASSERT_TRUE(path.system.matrix->factor_and_solve(path.rows, *columns, path.diagonal, solution));
+      Vectors moved;
+      moved.resize(path.built.model.masses.size());
+      apply_impulses(path.system.links, *columns, solution, moved);
+      along_links(path.system.links, path.rows, moved, answer);
+      for (std::size_t i = 0; i < answer.size(); ++i)
+        EXPECT_NEAR(answer[i] + path.diagonal[i] * solution[i], path.right[i], 1e-11) << "link " << i;
+    }
+  }
+}
+
+// Right sides are only asked for when they are about to be read, each once, and solutions are whole when they
+// are shown.
+TEST(LongPaths, VisitLinksWhileTheyAreAtHand) {
+  const double unknown = std::numeric_limits<double>::quiet_NaN();
+  for (const int links : lengths_of_paths) {
+    SCOPED_TRACE(links);
+    RandomPath path(links, 9);
+    LinkMatrix& matrix = *path.system.matrix;
+    std::vector<double> expected = path.right;
+    ASSERT_TRUE(matrix.factor_and_solve(path.rows, path.columns, path.diagonal, expected));
+    for (const bool factor : {true, false}) {
+      std::vector<double> b(path.right.size(), unknown);
+      std::vector<int> times_asked(b.size(), 0);
+      Extent shown;
+      const auto write = [&](Extent some) {
+        for (std::size_t i = some.begin; i < some.end; ++i) {
+          b[i] = path.right[i];
+          ++times_asked[i];
+        }
+      };
+      const auto look = [&](Extent solved) {
+        EXPECT_TRUE(shown.empty() || (solved.begin <= shown.begin && shown.end <= solved.end));
+        shown = solved;
+        for (std::size_t i = solved.begin; i < solved.end; ++i) EXPECT_EQ(b[i], expected[i]) << "link " << i;
+      };
+      if (factor)
+        ASSERT_TRUE(
+            matrix.factor_and_solve_by_blocks(path.rows, path.columns, path.diagonal, b, {write, look}));
+      else
+        matrix.solve_by_blocks(b, {write, look});
+      EXPECT_EQ(times_asked, std::vector(b.size(), 1));
+      EXPECT_EQ(shown.begin, 0U);
+      EXPECT_EQ(shown.end, b.size());
+      EXPECT_EQ(b, expected);
+    }
+  }
+}
+
+TEST(LongPaths, RefuseWhatIsNotFiniteWhereverItIs) {
+  for (const std::size_t bad : {0U, 1U, 127U, 128U, 199U, 200U, 201U, 271U, 272U, 399U, 400U}) {
+    RandomPath path(401, 10);
+    path.diagonal[bad] = std::numeric_limits<double>::infinity();  // which no other row hears of
+    EXPECT_FALSE(path.system.matrix->factor_and_solve(path.rows, path.rows, path.diagonal, path.right))
+        << bad;
+  }
+}
+
 // Their pivots vanish in the midst of others.
 TEST(RedundantLinks, TautRowsBetweenPinsOfALongRow) {
   Built built = build_valid(level_chain(100, 0.2));

@@ -21,6 +21,7 @@
 
 #include "base/vector_operations.h"
 #include "direct/newton_rounds.h"
+#include "forces/mass_kernels.h"
 
 namespace taut {
 
@@ -32,48 +33,44 @@ FastProjection::FastProjection(const Model& model, LinkSystem system, const Stat
     compliant_ = compliant_ || !model_.links.rigid(link);
   }
   const std::size_t count = system_.links.size();
+  direction_.resize(count);
   distance_.resize(count);
   residual_.resize(count);
   multipliers_.resize(count);
   diagonal_.resize(count);
   scale_.resize(count);
+  shortest_ = shortest_length(system_.links);
+  blocks_ = ChainBlocks(model_, system_.links);
 }
 
-bool FastProjection::solve(const Vectors& start, double h, Vectors& position, std::vector<double>& tension,
-                           StepReport& report) {
+bool FastProjection::solve(const Vectors& start, double h, const ExtentVisit& predict, Vectors& position,
+                           std::vector<double>& tension, StepReport& report) {
   const SystemLinks& links = system_.links;
-  const double tolerance = length_tolerance(links, position);
   const double answer = 1.0 / (1.0 + h * model_.drag);
   prepare(start, h, answer);
   limits_.begin_step(h);
+  const double tolerance = length_tolerance(shortest_, predict_all(predict, position));
   for (int round = 0; round < most_newton_rounds; ++round) {
-    const double worst = measure_residual(position, h, report);
+    const double worst = look_at_misfit(position, h, report);
     if (report.status != StepStatus::done) return false;
     const double beyond = limits_.look(position);
     const bool solved = worst <= tolerance && beyond <= limit_tolerance;
     const bool lost = round >= rounds_to_settle && worst > settled_error;
     if (solved || lost || round + 1 == most_newton_rounds) report.worst_link = worst_link(worst);
     if (solved) {
-      for (std::size_t i = 0; i < multipliers_.size(); ++i)
-        tension[links.link[i]] = multipliers_[i] / (h * h);
+      keep_tensions(h, tension);
       limits_.give_tensions(1.0 / (h * h), position, tension);
       return true;
     }
     if (lost) break;
     ++report.factorisations;
-    if (compliant_ || answer != 1.0)
-      for (std::size_t i = 0; i < residual_.size(); ++i) residual_[i] *= scale_[i];
-    if (!(limits_.none() ? system_.matrix->factor_and_solve(direction_, direction_, diagonal_, residual_)
-                         : system_.matrix->factor(direction_, direction_, diagonal_))) {
-      report.worst_link = worst_link(measure_residual(position, h, report));
+    if (!solve_round(answer, position)) {
+      measured_ = {};
+      measure(position, blocks_.all_masses());
+      report.worst_link = worst_link(look_at_misfit(position, h, report));
       report.status = StepStatus::factorisation_failed;
       return false;
     }
-    if (!limits_.none()) limits_.push(system_, direction_, direction_, answer, residual_, position);
-    for (std::size_t i = 0; i < residual_.size(); ++i) multipliers_[i] += residual_[i];
-    if (answer != 1.0)
-      for (double& change : residual_) change *= answer;
-    apply_impulses(links, direction_, residual_, position, -1.0);
     report.rounds += 1;
     report.link_solves += static_cast<std::int64_t>(links.size());
   }
@@ -81,12 +78,67 @@ bool FastProjection::solve(const Vectors& start, double h, Vectors& position, st
   return false;
 }
 
+// Measures links, too; returns the largest coordinate (m).
+double FastProjection::predict_all(const ExtentVisit& predict, Vectors& position) {
+  double farthest = 0.0;
+  GrowingExtent moved;
+  measured_ = {};
+  blocks_.visit([&](Extent block) {
+    const Extent masses = blocks_.masses_among({0, block.end});
+    moved.grow(masses, [&](Extent more) {
+      predict(more);
+      farthest = std::max(farthest, largest_of(more.size(), to_read(position, more.begin)));
+    });
+    measure(position, masses);
+  });
+  return farthest;
+}
+
+// Solves for a round's change of the multipliers, and moves the masses by it.
+bool FastProjection::solve_round(double answer, Vectors& position) {
+  measured_ = {};
+  const auto scale = [&](Extent some) {
+    if (compliant_ || answer != 1.0) some_of(residual_, some) *= some_of(scale_, some);
+  };
+  GrowingExtent solved_so_far, moved;
+  const auto move_masses = [&](Extent solved) {
+    if (!limits_.none()) limits_.push(system_, direction_, direction_, answer, residual_, position);
+    solved_so_far.grow(solved, [&](Extent more) {
+      some_of(multipliers_, more) += some_of(residual_, more);
+      if (answer != 1.0) some_of(residual_, more) *= answer;
+    });
+    const Extent masses = blocks_.masses_among(solved);
+    moved.grow(masses, [&](Extent more) {
+      blocks_.push(model_, system_.links, direction_, residual_, position, -1.0, more);
+    });
+    measure(position, masses);
+  };
+  LinkMatrix& matrix = *system_.matrix;
+  if (blocks_.several())
+    return matrix.factor_and_solve_by_blocks(direction_, direction_, diagonal_, residual_,
+                                             {scale, move_masses});
+  scale(system_.links.all());
+  if (!(limits_.none() ? matrix.factor_and_solve(direction_, direction_, diagonal_, residual_)
+                       : matrix.factor(direction_, direction_, diagonal_)))
+    return false;
+  move_masses(system_.links.all());
+  return true;
+}
+
+void FastProjection::keep_tensions(double h, std::vector<double>& tension) const {
+  if (blocks_.several()) {
+    all_of(tension) = all_of(multipliers_) / (h * h);
+    return;
+  }
+  for (std::size_t i = 0; i < multipliers_.size(); ++i)
+    tension[system_.links.link[i]] = multipliers_[i] / (h * h);
+}
+
 // What stays the same over the rounds: the start-of-step vectors, α̃/(1 + γ) and 1/(1 + γ), both over the
 // answer to drag.
 void FastProjection::prepare(const Vectors& start, double h, double answer) {
   std::fill(multipliers_.begin(), multipliers_.end(), 0.0);
-  std::fill(scale_.begin(), scale_.end(), 1.0 / answer);
-  std::fill(diagonal_.begin(), diagonal_.end(), 0.0);
+  if (compliant_ || answer != 1.0) std::fill(scale_.begin(), scale_.end(), 1.0 / answer);
   if (!compliant_) return;
   const SystemLinks& links = system_.links;
   link_vectors(links, start, start_vector_);
@@ -97,10 +149,19 @@ void FastProjection::prepare(const Vectors& start, double h, double answer) {
   }
 }
 
-// r of every link and its unit direction; returns the largest |r|/l.
-double FastProjection::measure_residual(const Vectors& position, double h, StepReport& report) {
+// r of the links between masses that have moved, but for what compliance adds, and their unit directions.
+void FastProjection::measure(const Vectors& position, Extent moved) {
+  if (measured_.empty()) misfit_ = {};
+  measured_.grow(blocks_.links_among(moved), [&](Extent more) {
+    misfit_.add(
+        measure_stretches(system_.links, position, inverse_length_, direction_, distance_, residual_, more));
+  });
+}
+
+// Makes r whole; returns the largest |r|/l.
+double FastProjection::look_at_misfit(const Vectors& position, double h, StepReport& report) {
   const SystemLinks& links = system_.links;
-  Misfit misfit = measure_stretches(links, position, inverse_length_, direction_, distance_, residual_);
+  Misfit misfit = misfit_;
   if (!misfit.directed && misfit.finite) {
     const auto lost = std::find(distance_.begin(), distance_.end(), 0.0) - distance_.begin();
     report.status = StepStatus::direction_lost;

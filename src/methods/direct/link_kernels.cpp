@@ -68,6 +68,12 @@ HWY_INLINE Misfit find_each(std::size_t count, const Measure& measure) {
   return all;
 }
 
+void measure_across_of(const EndsToRead& u, const AxesToWrite& difference) {
+  for_each_value(0, u.count, [&](auto tag, std::size_t i) TAUT_INLINED {
+    store_three(tag, across(tag, u, i), difference, i);
+  });
+}
+
 Misfit measure_lengths_of(const EndsToRead& position, const AxesToRead& start_direction,
                           const double* squared_length, const double* inverse_square,
                           const AxesToWrite& direction, double* residual) {
@@ -128,21 +134,26 @@ void measure_along_falling_of(const Falling& falling, const EndsToRead& v, const
   });
 }
 
-void push_row_of(const RowPush& push, const AxesToWrite& target) {
+void push_row_of(const RowPush& push, const AxesToWrite& target, Extent masses) {
   const auto pushed = [&](auto tag, const double* inverse_mass, std::size_t i) TAUT_INLINED {
     const auto size = hn::Mul(hn::Mul(hn::Set(tag, push.factor), hn::LoadU(tag, inverse_mass + i)),
                               hn::LoadU(tag, push.strength + i));
     return scaled(size, load_three(tag, push.columns, i));
   };
   const hn::CappedTag<double, 1> one;
-  store_three(one, sum(load_three(one, target, 0), pushed(one, push.inverse_mass_a, 0)), target, 0);
-  for_each_value(1, push.count, [&](auto tag, std::size_t i) TAUT_INLINED {
-    const auto from_next = sum(load_three(tag, target, i), pushed(tag, push.inverse_mass_a, i));
-    store_three(tag, difference(from_next, pushed(tag, push.inverse_mass_b, i - 1)), target, i);
-  });
-  store_three(
-      one, difference(load_three(one, target, push.count), pushed(one, push.inverse_mass_b, push.count - 1)),
-      target, push.count);
+  const bool with_first = masses.begin == 0, with_last = masses.end > push.count;
+  if (with_first)
+    store_three(one, sum(load_three(one, target, 0), pushed(one, push.inverse_mass_a, 0)), target, 0);
+  for_each_value(
+      masses.begin + with_first, masses.end - with_last, [&](auto tag, std::size_t i) TAUT_INLINED {
+        const auto from_next = sum(load_three(tag, target, i), pushed(tag, push.inverse_mass_a, i));
+        store_three(tag, difference(from_next, pushed(tag, push.inverse_mass_b, i - 1)), target, i);
+      });
+  if (with_last)
+    store_three(
+        one,
+        difference(load_three(one, target, push.count), pushed(one, push.inverse_mass_b, push.count - 1)),
+        target, push.count);
 }
 
 }  // namespace taut::HWY_NAMESPACE
@@ -152,6 +163,7 @@ HWY_AFTER_NAMESPACE();
 
 namespace taut {
 
+HWY_EXPORT(measure_across_of);
 HWY_EXPORT(measure_lengths_of);
 HWY_EXPORT(measure_stretches_of);
 HWY_EXPORT(measure_along_of);
@@ -163,6 +175,10 @@ void Misfit::add(const Misfit& other) {
   worst = std::max(worst, other.worst);
   finite = finite && other.finite;
   directed = directed && other.directed;
+}
+
+void measure_across(const EndsToRead& u, const AxesToWrite& difference) {
+  HWY_DYNAMIC_DISPATCH(measure_across_of)(u, difference);
 }
 
 Misfit measure_lengths(const EndsToRead& position, const AxesToRead& start_direction,
@@ -190,8 +206,8 @@ void measure_along_falling(const Falling& falling, const EndsToRead& v, const Ax
   HWY_DYNAMIC_DISPATCH(measure_along_falling_of)(falling, v, columns, result);
 }
 
-void push_row(const RowPush& push, const AxesToWrite& target) {
-  HWY_DYNAMIC_DISPATCH(push_row_of)(push, target);
+void push_row(const RowPush& push, const AxesToWrite& target, Extent masses) {
+  HWY_DYNAMIC_DISPATCH(push_row_of)(push, target, masses);
 }
 
 }  // namespace taut

@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "axes.h"
+#include "extent.h"
 
 namespace taut {
 
@@ -12,6 +13,9 @@ struct EndsToRead {
   std::size_t count;
   AxesToRead a, b;  ///< b may be null for measure_lengths(): then a has the links' vectors already
 };
+
+/// u_a − u_b of every link.
+void measure_across(const EndsToRead& u, const AxesToWrite& difference);
 
 /// How far links are from their lengths.
 struct Misfit {
@@ -64,7 +68,7 @@ struct RowPush {
   double factor;
 };
 
-/// u_i += f w_a s_i c_i, u_{i+1} −= f w_b s_i c_i for every link i.
-void push_row(const RowPush& push, const AxesToWrite& target);
+/// u_i += f w_a s_i c_i, u_{i+1} −= f w_b s_i c_i for every link i, in those of the row's masses.
+void push_row(const RowPush& push, const AxesToWrite& target, Extent masses);
 
 }  // namespace taut

@@ -25,28 +25,32 @@ std::vector<LinkRow> find_rows(const SystemLinks& links) {
   return rows;
 }
 
-// The differences u_a − u_b of a row along one axis.
-auto across(const LinkRow& row, const std::vector<double>& axis) {
-  return segment(axis, row.a, row.count) - segment(axis, row.b, row.count);
-}
-
 EndsToRead ends(const LinkRow& row, const Vectors& vectors) {
   return {row.count, to_read(vectors, row.a), to_read(vectors, row.b)};
 }
 
-// What measure(ends, begin) finds, row after row; of all links at once, whose vectors it then gets, where
+// Calls visit with the rows, or with the parts of them that lie among some of the links.
+template <class Visit>
+void visit_rows(const SystemLinks& links, Extent some, const Visit& visit) {
+  for (const LinkRow& row : links.rows) {
+    const std::size_t begin = std::max(row.begin, some.begin),
+                      end = std::min(row.begin + row.count, some.end);
+    if (begin < end) visit(LinkRow{begin, end - begin, row.a + begin - row.begin, row.b + begin - row.begin});
+  }
+}
+
+// What measure(ends, begin) finds, row after row; of all the links at once, whose vectors it then gets, where
 // there are no rows.
 template <class Measure>
-Misfit measure_rows(const SystemLinks& links, const Vectors& position, Vectors& direction,
+Misfit measure_rows(const SystemLinks& links, const Vectors& position, Vectors& direction, Extent some,
                     const Measure& measure) {
   Misfit found;
-  if (links.size() == 0) return found;
-  direction.resize(links.size());
+  if (some.empty()) return found;
   if (links.rows.empty()) {
-    link_vectors(links, position, direction);
-    return measure(EndsToRead{links.size(), to_read(direction), {}}, 0);
+    link_vectors(links, position, direction, some);
+    return measure(EndsToRead{some.size(), to_read(direction, some.begin), {}}, some.begin);
   }
-  for (const LinkRow& row : links.rows) found.add(measure(ends(row, position), row.begin));
+  visit_rows(links, some, [&](const LinkRow& row) { found.add(measure(ends(row, position), row.begin)); });
   return found;
 }
 
@@ -78,14 +82,17 @@ SystemLinks gather(const Model& model, std::span<const Index> links) {
 
 void link_vectors(const SystemLinks& links, const Vectors& position, Vectors& difference) {
   difference.resize(links.size());
+  link_vectors(links, position, difference, links.all());
+}
+
+void link_vectors(const SystemLinks& links, const Vectors& position, Vectors& difference, Extent some) {
   if (!links.rows.empty()) {
-    for (const LinkRow& row : links.rows)
-      for_each_axis(
-          [&row](const auto& from, auto& to) { segment(to, row.begin, row.count) = across(row, from); },
-          position, difference);
+    visit_rows(links, some, [&](const LinkRow& row) {
+      measure_across(ends(row, position), to_write(difference, row.begin));
+    });
     return;
   }
-  for (std::size_t i = 0; i < links.size(); ++i) {
+  for (std::size_t i = some.begin; i < some.end; ++i) {
     const Index a = links.a[i], b = links.b[i];
     difference.x[i] = position.x[a] - position.x[b];
     difference.y[i] = position.y[a] - position.y[b];
@@ -94,9 +101,9 @@ void link_vectors(const SystemLinks& links, const Vectors& position, Vectors& di
 }
 
 Misfit measure_lengths(const SystemLinks& links, const Vectors& position, const Vectors& start_direction,
-                       const SquaredLengths& lengths, Vectors& direction, std::vector<double>& misfit) {
-  misfit.resize(links.size());
-  return measure_rows(links, position, direction, [&](const EndsToRead& ends, std::size_t begin) {
+                       const SquaredLengths& lengths, Vectors& direction, std::vector<double>& misfit,
+                       Extent some) {
+  return measure_rows(links, position, direction, some, [&](const EndsToRead& ends, std::size_t begin) {
     return measure_lengths(ends, to_read(start_direction, begin), &lengths.square[begin],
                            &lengths.inverse_square[begin], to_write(direction, begin), &misfit[begin]);
   });
@@ -104,10 +111,8 @@ Misfit measure_lengths(const SystemLinks& links, const Vectors& position, const 
 
 Misfit measure_stretches(const SystemLinks& links, const Vectors& position,
                          const std::vector<double>& inverse_length, Vectors& direction,
-                         std::vector<double>& distance, std::vector<double>& stretch) {
-  distance.resize(links.size());
-  stretch.resize(links.size());
-  return measure_rows(links, position, direction, [&](const EndsToRead& ends, std::size_t begin) {
+                         std::vector<double>& distance, std::vector<double>& stretch, Extent some) {
+  return measure_rows(links, position, direction, some, [&](const EndsToRead& ends, std::size_t begin) {
     return measure_stretches(ends, {&links.length[begin], &inverse_length[begin], to_write(direction, begin),
                                     &distance[begin], &stretch[begin]});
   });
@@ -116,12 +121,18 @@ Misfit measure_stretches(const SystemLinks& links, const Vectors& position,
 void along_links(const SystemLinks& links, const Vectors& columns, const Vectors& u,
                  std::vector<double>& result) {
   result.resize(links.size());
+  along_links(links, columns, u, result, links.all());
+}
+
+void along_links(const SystemLinks& links, const Vectors& columns, const Vectors& u,
+                 std::vector<double>& result, Extent some) {
   if (!links.rows.empty()) {
-    for (const LinkRow& row : links.rows)
+    visit_rows(links, some, [&](const LinkRow& row) {
       measure_along(ends(row, u), to_read(columns, row.begin), &result[row.begin]);
+    });
     return;
   }
-  for (std::size_t i = 0; i < links.size(); ++i)
+  for (std::size_t i = some.begin; i < some.end; ++i)
     result[i] = columns.at(i).dot(u.at(links.a[i]) - u.at(links.b[i]));
 }
 
@@ -156,7 +167,7 @@ void apply_impulses(const SystemLinks& links, const Vectors& columns, std::span<
       if (row.b == row.a + 1) {
         push_row({row.count, &links.weight_a[row.begin], &links.weight_b[row.begin],
                   to_read(columns, row.begin), &strength[row.begin], factor},
-                 to_write(target, row.a));
+                 to_write(target, row.a), {0, row.count + 1});
         continue;
       }
       const Eigen::Map<const Eigen::ArrayXd> pull(&strength[row.begin], static_cast<Eigen::Index>(row.count));

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "direct/link_kernels.h"
+#include "extent.h"
 #include "model/model.h"
 #include "model/state.h"
 
@@ -28,6 +29,7 @@ struct SystemLinks {
   std::vector<LinkRow> rows;  ///< all of the links, several at once; empty where rows are too short to pay
 
   std::size_t size() const { return link.size(); }
+  Extent all() const { return {0, size()}; }
 };
 
 /// The rigid links with a free end that are whole in a state.
@@ -36,8 +38,11 @@ std::vector<Index> whole_rigid_links(const Model& model, const State& state);
 /// Copies what belongs to the given links out of the model.
 SystemLinks gather(const Model& model, std::span<const Index> links);
 
+// What follows is done to all links, or to some of them: those beside them are then left as they are.
+
 /// d = x_a − x_b of every link.
 void link_vectors(const SystemLinks& links, const Vectors& position, Vectors& difference);
+void link_vectors(const SystemLinks& links, const Vectors& position, Vectors& difference, Extent some);
 
 /// l² and 1/l² of every link.
 struct SquaredLengths {
@@ -46,16 +51,19 @@ struct SquaredLengths {
 
 /// d and g = (|d|² − l²)/2 of every link, and what there is to say of all (link_kernels.h).
 Misfit measure_lengths(const SystemLinks& links, const Vectors& position, const Vectors& start_direction,
-                       const SquaredLengths& lengths, Vectors& direction, std::vector<double>& misfit);
+                       const SquaredLengths& lengths, Vectors& direction, std::vector<double>& misfit,
+                       Extent some);
 
 /// d/|d|, |d| and |d| − l of every link, and what there is to say of all.
 Misfit measure_stretches(const SystemLinks& links, const Vectors& position,
                          const std::vector<double>& inverse_length, Vectors& direction,
-                         std::vector<double>& distance, std::vector<double>& stretch);
+                         std::vector<double>& distance, std::vector<double>& stretch, Extent some);
 
 /// c·(u_a − u_b) of every link: C u.
 void along_links(const SystemLinks& links, const Vectors& columns, const Vectors& u,
                  std::vector<double>& result);
+void along_links(const SystemLinks& links, const Vectors& columns, const Vectors& u,
+                 std::vector<double>& result, Extent some);
 
 /// c·(u_a − u_b) + |v_a − v_b|² of every link: C u, and what moving directions add to it.
 void along_links_moving(const SystemLinks& links, const Vectors& columns, const Vectors& u, const Vectors& v,
@@ -69,6 +77,12 @@ bool along_links_falling(const Model& model, const SystemLinks& links, const Vec
 void apply_impulses(const SystemLinks& links, const Vectors& columns, std::span<const double> strength,
                     Vectors& target, double factor = 1.0);
 
+/// What the caller of a solve does to links while they are at hand there.
+struct LinkVisits {
+  ExtentVisit before;  ///< with links whose right sides are to be read next: time to write them
+  ExtentVisit after;   ///< with all the links that have been solved so far, ever more of them
+};
+
 /// The linear system of links that pull on shared masses,
 ///   A_ij = Σ over shared masses m of ± w_m r_i·c_j (+ where both links hold the mass by the same end), plus
 ///   a diagonal,
@@ -81,10 +95,24 @@ class LinkMatrix {
   /// Solves A x = b in place.
   virtual void solve(std::vector<double>& b) = 0;
   /// Both, one after the other.
-  virtual bool factor_and_solve(const Vectors& rows, const Vectors& columns, std::span<const double> diagonal,
-                                std::vector<double>& b) {
+  bool factor_and_solve(const Vectors& rows, const Vectors& columns, std::span<const double> diagonal,
+                        std::vector<double>& b) {
+    return factor_and_solve_by_blocks(rows, columns, diagonal, b, {});
+  }
+  /// The same with what the caller does to the same links.
+  virtual void solve_by_blocks(std::vector<double>& b, const LinkVisits& visits) {
+    const Extent all{0, b.size()};
+    visits.before(all);
+    solve(b);
+    visits.after(all);
+  }
+  virtual bool factor_and_solve_by_blocks(const Vectors& rows, const Vectors& columns,
+                                          std::span<const double> diagonal, std::vector<double>& b,
+                                          const LinkVisits& visits) {
+    visits.before({0, b.size()});
     if (!factor(rows, columns, diagonal)) return false;
     solve(b);
+    visits.after({0, b.size()});
     return true;
   }
   /// Whether rows and columns may differ.

@@ -8,8 +8,14 @@
 namespace taut {
 
 double length_tolerance(const SystemLinks& links, const Vectors& position) {
-  const double farthest = largest_coordinate(position);
-  const double shortest = links.size() == 0 ? 1.0 : all_of(links.length).minCoeff();
+  return length_tolerance(shortest_length(links), largest_coordinate(position));
+}
+
+double shortest_length(const SystemLinks& links) {
+  return links.size() == 0 ? 1.0 : all_of(links.length).minCoeff();
+}
+
+double length_tolerance(double shortest, double farthest) {
   return std::max(1e-12, 16.0 * std::numeric_limits<double>::epsilon() * farthest / shortest);
 }
 

@@ -10,6 +10,11 @@ namespace taut {
 /// beside the links that rounding forbids it, 16 units in the last place of a position over the shortest
 /// link.
 double length_tolerance(const SystemLinks& links, const Vectors& position);
+/// The same of the shortest link (m) and the largest coordinate of all positions (m).
+double length_tolerance(double shortest, double farthest);
+
+/// Length of the shortest link (m); 1 where there is none.
+double shortest_length(const SystemLinks& links);
 
 /// How many rounds of Newton's method a solve may take.
 inline constexpr int most_newton_rounds = 30;

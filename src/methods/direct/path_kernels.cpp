@@ -3,6 +3,8 @@
 
 #include "direct/path_kernels.h"
 
+#include <algorithm>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "direct/path_kernels.cpp"
 // Vectors of unknown size can't be held in a struct.
@@ -17,39 +19,39 @@
 HWY_BEFORE_NAMESPACE();
 namespace taut::HWY_NAMESPACE {
 
-void fill_path_of(const AxesToRead& rows, const AxesToRead& columns, const PathEntries& to) {
-  const auto fill_entry = [&](auto tag, const auto& row, const auto& column, std::size_t i) TAUT_INLINED {
-    hn::StoreU(hn::Add(hn::Mul(hn::LoadU(tag, to.weight + i), product(row, column)),
-                       hn::LoadU(tag, to.diagonal + i)),
-               tag, to.entry + i);
-  };
-  const auto fill = [&](auto tag, std::size_t i) TAUT_INLINED {
-    const auto row = load_three(tag, rows, i), column = load_three(tag, columns, i);
-    const auto coupling = hn::LoadU(tag, to.coupling + i);
-    fill_entry(tag, row, column, i);
-    hn::StoreU(hn::Mul(coupling, product(row, load_three(tag, columns, i + 1))), tag, to.above + i);
-    if (to.below)
-      hn::StoreU(hn::Mul(coupling, product(load_three(tag, rows, i + 1), column)), tag, to.below + i);
-  };
-  for_each_value(0, to.count - 1, fill);
-  const hn::CappedTag<double, 1> one;
-  const std::size_t last = to.count - 1;
-  fill_entry(one, load_three(one, rows, last), load_three(one, columns, last), last);
-}
-
 // The elimination of one side, towards the middle, with its right side or without.
-template <bool upwards, bool with_right_side>
+template <bool upwards, bool symmetric, bool with_right_side>
 class PathSide : public Elimination<upwards> {
  public:
-  HWY_INLINE PathSide(const PathElimination& path, double* right_side)
+  HWY_INLINE PathSide(const PathElimination& path, const PathEnd& end, double* right_side)
       : path_(path),
         towards_(upwards ? path.below : path.above - 1),
         away_(upwards ? path.above : path.below - 1),
-        right_side_(right_side) {
+        right_side_(right_side),
+        carried_(end.carried) {
     constexpr std::ptrdiff_t to_last = upwards ? -1 : 0;
     this->rows_ = {path.entry, path.above + to_last, path.below + to_last};
     this->count_ = path.count;
     this->inverse_ = path.inverse_pivot;
+    this->last_inverse_ = end.last_inverse;
+  }
+
+  // Rows from k to `end`, and what ties them to the next ones on their way to the middle.
+  HWY_INLINE void fill(std::size_t k, std::size_t end) {
+    const std::size_t begin = upwards ? k : path_.count - end;
+    for_each_value(begin, begin + end - k, [&](auto tag, std::size_t i) TAUT_INLINED {
+      const std::size_t next = upwards ? i + 1 : i - 1, tie = upwards ? i : i - 1;
+      const auto row = load_three(tag, path_.rows, i), next_row = load_three(tag, path_.rows, next);
+      const auto column = symmetric ? row : load_three(tag, path_.columns, i);
+      const auto next_column = symmetric ? next_row : load_three(tag, path_.columns, next);
+      const auto coupling = hn::LoadU(tag, path_.coupling + tie);
+      const auto own = product(row, next_column), other = product(next_row, column);
+      hn::StoreU(hn::Mul(coupling, upwards ? own : other), tag, path_.above + tie);
+      if (!symmetric) hn::StoreU(hn::Mul(coupling, upwards ? other : own), tag, path_.below + tie);
+      hn::StoreU(hn::Add(hn::Mul(hn::LoadU(tag, path_.weight + i), product(row, column)),
+                         hn::LoadU(tag, path_.diagonal + i)),
+                 tag, path_.entry + i);
+    });
   }
 
   HWY_INLINE void invert(std::size_t first, const Continuants<upwards>& continuants) {
@@ -58,7 +60,7 @@ class PathSide : public Elimination<upwards> {
     for_each_value(group, group + pivots_at_once, [&](auto tag, std::size_t i) TAUT_INLINED {
       const auto inverse = hn::LoadU(tag, path_.inverse_pivot + i);
       hn::StoreU(hn::Mul(hn::LoadU(tag, towards_ + i), inverse), tag, path_.inward + i);
-      hn::StoreU(hn::Mul(hn::LoadU(tag, away_ + i), inverse), tag, path_.outward + i);
+      if (!symmetric) hn::StoreU(hn::Mul(hn::LoadU(tag, away_ + i), inverse), tag, path_.outward + i);
     });
   }
   HWY_INLINE void pass_on(std::size_t k) {
@@ -72,44 +74,55 @@ class PathSide : public Elimination<upwards> {
     const std::size_t i = this->place(k);
     this->invert_next(k);
     path_.inward[i] = towards_[i] * path_.inverse_pivot[i];
-    path_.outward[i] = away_[i] * path_.inverse_pivot[i];
+    if (!symmetric) path_.outward[i] = away_[i] * path_.inverse_pivot[i];
     pass_on(k);
   }
-  // To the middle's right side.
-  HWY_INLINE double carried() const { return carried_; }
+  HWY_INLINE PathEnd end() const { return {this->last_inverse(), carried_}; }
 
  private:
   const PathElimination path_;
   const double *towards_, *away_;  // off-diagonals: of the row nearer to the middle, and of that row's column
   double* right_side_;
-  double carried_ = 0.0;
+  double carried_;
 };
 
-template <bool with_right_side>
-HWY_INLINE void eliminate_sides(const PathElimination& path, double* right_side) {
-  PathSide<true, with_right_side> from_first(path, right_side);
-  PathSide<false, with_right_side> from_last(path, right_side);
-  const std::size_t middle = path.middle;
+// Rows are filled a group before they are eliminated: pivots that wait for each other leave time for that.
+template <bool symmetric, bool with_right_side>
+HWY_INLINE void eliminate_sides(const PathElimination& path, const PathRows& rows, PathEnd& front,
+                                PathEnd& back, double* right_side) {
+  PathSide<true, symmetric, with_right_side> from_first(path, front, right_side);
+  PathSide<false, symmetric, with_right_side> from_last(path, back, right_side);
+  const auto fill = [&](std::size_t begin) TAUT_INLINED {
+    const std::size_t end = begin + pivots_at_once;
+    from_first.fill(std::min(begin, rows.front_end), std::min(end, rows.front_end));
+    from_last.fill(std::min(begin, rows.back_end), std::min(end, rows.back_end));
+  };
+  fill(rows.begin);
   eliminate_both(
-      middle, path.count - 1 - middle, [](std::size_t) TAUT_INLINED {}, from_first, from_last);
-  const auto tied = [&](std::ptrdiff_t i, double inverse) { return path.above[i] * path.below[i] * inverse; };
-  const auto place = static_cast<std::ptrdiff_t>(middle);
-  const double entry = path.entry[middle];
-  const double carried = tied(place - 1, from_first.last_inverse()) + tied(place, from_last.last_inverse());
-  path.inverse_pivot[middle] = 1.0 / mended_pivot(entry - carried, entry);
-  if (with_right_side) right_side[middle] -= from_first.carried() + from_last.carried();
+      rows.begin, rows.front_end, rows.back_end,
+      [&](std::size_t first) TAUT_INLINED { fill(first + pivots_at_once); }, from_first, from_last);
+  front = from_first.end();
+  back = from_last.end();
 }
 
-bool eliminate_path_of(const PathElimination& path, double* right_side) {
-  if (right_side)
-    eliminate_sides<true>(path, right_side);
+bool eliminate_path_of(const PathElimination& path, const PathRows& rows, PathEnd& front, PathEnd& back,
+                       double* right_side) {
+  const bool symmetric = path.symmetric();
+  if (symmetric && right_side)
+    eliminate_sides<true, true>(path, rows, front, back, right_side);
+  else if (symmetric)
+    eliminate_sides<true, false>(path, rows, front, back, right_side);
+  else if (right_side)
+    eliminate_sides<false, true>(path, rows, front, back, right_side);
   else
-    eliminate_sides<false>(path, right_side);
+    eliminate_sides<false, false>(path, rows, front, back, right_side);
   bool sound = true;
-  for_each_value(0, path.count, [&](auto tag, std::size_t i) TAUT_INLINED {
+  const auto look = [&](auto tag, std::size_t i) TAUT_INLINED {
     const auto size = hn::Abs(hn::LoadU(tag, path.inverse_pivot + i));
     sound = sound && hn::AllTrue(tag, hn::And(hn::Gt(size, hn::Zero(tag)), hn::IsFinite(size)));
-  });
+  };
+  for_each_value(rows.begin, rows.front_end, look);
+  for_each_value(path.count - rows.back_end, path.count - rows.begin, look);
   return sound;
 }
 
@@ -120,15 +133,11 @@ HWY_AFTER_NAMESPACE();
 
 namespace taut {
 
-HWY_EXPORT(fill_path_of);
 HWY_EXPORT(eliminate_path_of);
 
-void fill_path(const AxesToRead& rows, const AxesToRead& columns, const PathEntries& entries) {
-  HWY_DYNAMIC_DISPATCH(fill_path_of)(rows, columns, entries);
-}
-
-bool eliminate_path(const PathElimination& path, double* right_side) {
-  return HWY_DYNAMIC_DISPATCH(eliminate_path_of)(path, right_side);
+bool eliminate_path(const PathElimination& path, const PathRows& rows, PathEnd& front, PathEnd& back,
+                    double* right_side) {
+  return HWY_DYNAMIC_DISPATCH(eliminate_path_of)(path, rows, front, back, right_side);
 }
 
 }  // namespace taut

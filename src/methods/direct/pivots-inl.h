@@ -156,15 +156,15 @@ HWY_INLINE void eliminate(std::size_t begin, std::size_t end, const Fetch& fetch
   for (; first < end; ++first) (all.pass_on_alone(first), ...);
 }
 
-// The same of two that need not be as long: groups are those that each has alone.
+// The same of two that need not end together: groups are those that each has alone.
 template <class Fetch, class Front, class Back>
-HWY_INLINE void eliminate_both(std::size_t front_count, std::size_t back_count, const Fetch& fetch,
-                               Front& front, Back& back) {
-  std::size_t both = std::min(front_count, back_count);
-  if (front_count != back_count) both -= both % pivots_at_once;
-  eliminate(0, both, fetch, front, back);
-  eliminate(both, front_count, fetch, front);
-  eliminate(both, back_count, fetch, back);
+HWY_INLINE void eliminate_both(std::size_t begin, std::size_t front_end, std::size_t back_end,
+                               const Fetch& fetch, Front& front, Back& back) {
+  std::size_t both = std::min(front_end, back_end);
+  if (front_end != back_end) both -= (both - begin) % pivots_at_once;
+  eliminate(begin, both, fetch, front, back);
+  eliminate(both, front_end, fetch, front);
+  eliminate(both, back_end, fetch, back);
 }
 
 }  // namespace taut::HWY_NAMESPACE

@@ -9,8 +9,8 @@
 namespace taut {
 namespace {
 
-MassKick of_masses(const Model& model, const FieldKick& fields) {
-  return {model.masses.inverse_mass.data(), fields.keep, fields.gain};
+MassKick of_masses(const Model& model, const FieldKick& fields, std::size_t begin = 0) {
+  return {model.masses.inverse_mass.data() + begin, fields.keep, fields.gain};
 }
 
 // Visits the masses of loads with what a load adds to their velocity in a kick of h seconds.
@@ -71,24 +71,30 @@ void kick(const Model& model, double load_time, double h, const Vectors& velocit
 }
 
 void kick_and_drift(const Model& model, double load_time, double kick_time, double h, const Vectors& position,
-                    const Vectors& velocity, Vectors& kicked, Vectors& moved, DragAt drag_at) {
+                    const Vectors& velocity, Vectors& kicked, Vectors& moved, DragAt drag_at, Extent masses) {
   const FieldKick fields = field_kick(model, kick_time, drag_at);
-  kick_and_move(velocity.size(), of_masses(model, fields), h, to_read(position), to_read(velocity),
-                to_write(kicked), to_write(moved));
+  const std::size_t begin = masses.begin;
+  kick_and_move(masses.size(), of_masses(model, fields, begin), h, to_read(position, begin),
+                to_read(velocity, begin), model.loads.empty() ? AxesToWrite{} : to_write(kicked, begin),
+                to_write(moved, begin));
   visit_loads(model, load_time, kick_time, fields.answer, [&](Index mass, const Vec3& change) {
+    if (!masses.holds(mass)) return;
     kicked.add(mass, change);
     moved.set(mass, position.at(mass) + h * kicked.at(mass));
   });
 }
 
 void mean_velocity_and_kick(const Model& model, double load_time, double kick_time, double h,
-                            const Vectors& from, const Vectors& to, Vectors& velocity) {
+                            const Vectors& from, const Vectors& to, Vectors& velocity, Extent masses) {
   const FieldKick fields = field_kick(model, kick_time, DragAt::end);
-  mean_and_kick(velocity.size(), of_masses(model, fields), 1.0 / h, to_read(from), to_read(to),
-                to_write(velocity));
-  for (const DrivenPin& pin : model.driven_pins) velocity.set(pin.mass, velocity_at(pin.motion, load_time));
-  visit_loads(model, load_time, kick_time, fields.answer,
-              [&](Index mass, const Vec3& change) { velocity.add(mass, change); });
+  const std::size_t begin = masses.begin;
+  mean_and_kick(masses.size(), of_masses(model, fields, begin), 1.0 / h, to_read(from, begin),
+                to_read(to, begin), to_write(velocity, begin));
+  for (const DrivenPin& pin : model.driven_pins)
+    if (masses.holds(pin.mass)) velocity.set(pin.mass, velocity_at(pin.motion, load_time));
+  visit_loads(model, load_time, kick_time, fields.answer, [&](Index mass, const Vec3& change) {
+    if (masses.holds(mass)) velocity.add(mass, change);
+  });
 }
 
 void fall(const Model& model, double load_time, const Vectors& velocity, Vectors& acceleration) {
@@ -128,7 +134,19 @@ void drift(double h, const Vectors& position, const Vectors& velocity, Vectors& 
 }
 
 void difference_quotient(double h, const Vectors& from, const Vectors& to, Vectors& velocity) {
-  scaled_difference(1.0 / h, to, from, velocity);
+  difference_quotient(h, from, to, velocity, {0, velocity.size()});
+}
+
+void difference_quotient(double h, const Vectors& from, const Vectors& to, Vectors& velocity, Extent masses) {
+  mean_velocities(masses.size(), 1.0 / h, to_read(from, masses.begin), to_read(to, masses.begin),
+                  to_write(velocity, masses.begin));
+}
+
+double energy_of_some(const Model& model, const Vectors& position, const Vectors& velocity, Extent masses) {
+  const std::size_t begin = masses.begin;
+  return energy_of_falling(masses.size(),
+                           {&model.masses.mass[begin], &model.masses.inverse_mass[begin], model.gravity},
+                           to_read(position, begin), to_read(velocity, begin));
 }
 
 }  // namespace taut

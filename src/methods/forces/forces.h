@@ -1,5 +1,6 @@
 #pragma once
 
+#include "extent.h"
 #include "model/model.h"
 #include "model/state.h"
 
@@ -23,15 +24,15 @@ struct FieldKick {
 };
 FieldKick field_kick(const Model& model, double h, DragAt drag_at);
 
-/// kick() for `kick_time` seconds and then drift() for h, in one go over the masses; none of the vectors may
-/// be another.
+/// kick() for `kick_time` seconds and then drift() for h, in one go over some of the masses; none of the
+/// vectors may be another. `kicked` is room for velocities, and holds them only where there are loads.
 void kick_and_drift(const Model& model, double load_time, double kick_time, double h, const Vectors& position,
-                    const Vectors& velocity, Vectors& kicked, Vectors& moved, DragAt drag_at);
+                    const Vectors& velocity, Vectors& kicked, Vectors& moved, DragAt drag_at, Extent masses);
 
-/// difference_quotient() and then kick() for `kick_time` seconds, in one go; driven pins get their
-/// velocities.
+/// difference_quotient() and then kick() for `kick_time` seconds, in one go over some of the masses; driven
+/// pins get their velocities.
 void mean_velocity_and_kick(const Model& model, double load_time, double kick_time, double h,
-                            const Vectors& from, const Vectors& to, Vectors& velocity);
+                            const Vectors& from, const Vectors& to, Vectors& velocity, Extent masses);
 
 /// Accelerations (m/s²) by gravity, loads and drag; 0 for pins.
 void fall(const Model& model, double load_time, const Vectors& velocity, Vectors& acceleration);
@@ -53,5 +54,10 @@ void drift(double h, const Vectors& position, const Vectors& velocity, Vectors& 
 
 /// The mean velocity (to − from)/h of every mass.
 void difference_quotient(double h, const Vectors& from, const Vectors& to, Vectors& velocity);
+void difference_quotient(double h, const Vectors& from, const Vectors& to, Vectors& velocity, Extent masses);
+
+/// Energy (J) of some masses' motion and of gravity on them. Where it is finite, all their positions and
+/// velocities are.
+double energy_of_some(const Model& model, const Vectors& position, const Vectors& velocity, Extent masses);
 
 }  // namespace taut

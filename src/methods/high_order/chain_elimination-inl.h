@@ -242,7 +242,7 @@ HWY_INLINE LastInverses eliminate_halves(const ChainLinks& links, const PhaseSum
       fetch_masses(at, links.front[b + 1].mass + k, pivots_at_once);
       fetch_masses(at, links.back[b + 1].mass + k, pivots_at_once);
     };
-    eliminate_both(front.count, back.count, fetch, on_front, on_back);
+    eliminate_both(0, front.count, back.count, fetch, on_front, on_back);
   }
   return {on_front.last_inverse(), on_back.last_inverse()};
 }
