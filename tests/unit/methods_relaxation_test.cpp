@@ -160,9 +160,9 @@ INSTANTIATE_TEST_SUITE_P(Threads, AnyOrder,
 TEST(LinkLayout, GapsLieApartAndOverMassesOfTheirThread) {
   constexpr std::size_t lanes = links_at_once<double>;
   int gaps = 0;
-  for (const Index columns : {2, 3, 4, 5, 7, 9, 45})
+  for (const Index columns : {2U, 3U, 4U, 5U, 7U, 9U, 45U})
     for (const bool upwards : {false, true})
-      for (const std::size_t threads : {1, 3}) {
+      for (const std::size_t threads : {std::size_t{1}, std::size_t{3}}) {
         std::mt19937 random(3);
         const Model model = sheet({Listed::in_rows, 400 / columns, columns, upwards}, random);
         const std::vector<Index> links = solvable_links(model);
