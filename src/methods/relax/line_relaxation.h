@@ -36,6 +36,7 @@ class LineRelaxation {
 
   const MassPlaces<double>& places() const { return places_; }
 
+  /// Its kernels write multipliers in any case.
   static constexpr bool always_keeps = true;
 
   /// Begins a step of h seconds. `answer` is what a mass moves by beside its inverse mass, as

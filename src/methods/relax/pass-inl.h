@@ -77,7 +77,8 @@ struct Ahead {
   }
 
  private:
-  static constexpr std::size_t line = 64, lines_ahead = 32;  // of a cache; bytes
+  static constexpr std::size_t line = 64;  // bytes that a cache takes at once
+  static constexpr std::size_t lines_ahead = 32;
 
   HWY_INLINE void fetch(std::size_t mass) const {
     for (const Real* room : {motion->previous.first, motion->present.first, read(next).first})
