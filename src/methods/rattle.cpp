@@ -85,9 +85,7 @@ class RattleStepper final : public SwappingStepper {
 
   // Whether nothing acts but gravity, loads and drag; and of those no loads, and no pins that move.
   bool only_fields() const { return kicks_.only_fields() && model_.joints.empty(); }
-  bool only_falling() const {
-    return kicks_.only_fields() && model_.loads.empty() && model_.driven_pins.empty();
-  }
+  bool only_falling() const { return kicks_.only_fields() && !pushed_from_outside(model_); }
 
   StepReport make_step(State& state, double h, double end_time) override {
     begin_work(state, blocks_.several());

@@ -3,13 +3,13 @@
 #include <algorithm>
 
 #include "direct/link_kernels.h"
+#include "forces/forces.h"
 
 namespace taut {
 namespace {
 
 bool only_falls(const Model& model) {
-  const bool pushed = model.wind || !model.loads.empty() || !model.driven_pins.empty();
-  return !pushed && model.bends.empty() && model.limits.empty() && model.joints.empty();
+  return !pushed_from_outside(model) && model.bends.empty() && model.limits.empty() && model.joints.empty();
 }
 
 bool is_whole_chain(const Model& model, const SystemLinks& links) {

@@ -70,6 +70,10 @@ void kick(const Model& model, double load_time, double h, const Vectors& velocit
               [&](Index mass, const Vec3& change) { kicked.add(mass, change); });
 }
 
+bool pushed_from_outside(const Model& model) {
+  return model.wind || !model.loads.empty() || !model.driven_pins.empty();
+}
+
 void kick_and_drift(const Model& model, double load_time, double kick_time, double h, const Vectors& position,
                     const Vectors& velocity, Vectors& kicked, Vectors& moved, DragAt drag_at, Extent masses) {
   const FieldKick fields = field_kick(model, kick_time, drag_at);

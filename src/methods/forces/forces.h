@@ -24,6 +24,9 @@ struct FieldKick {
 };
 FieldKick field_kick(const Model& model, double h, DragAt drag_at);
 
+/// Whether masses are pushed from outside: by wind, by loads, or by pins that are driven.
+bool pushed_from_outside(const Model& model);
+
 /// kick() for `kick_time` seconds and then drift() for h, in one go over some of the masses; none of the
 /// vectors may be another. `kicked` is room for velocities, and holds them only where there are loads.
 void kick_and_drift(const Model& model, double load_time, double kick_time, double h, const Vectors& position,

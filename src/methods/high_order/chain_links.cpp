@@ -2,6 +2,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "forces/forces.h"
 #include "high_order/chain_motion.h"
 
 namespace taut {
@@ -9,8 +10,7 @@ namespace {
 
 // Whether nothing acts on masses but gravity and rigid links.
 bool hangs_freely(const Model& model) {
-  const bool pushed = model.drag != 0.0 || model.wind || !model.loads.empty() || !model.driven_pins.empty();
-  return !pushed && model.bends.empty();
+  return model.drag == 0.0 && !pushed_from_outside(model) && model.bends.empty();
 }
 
 // Rows of many links, or all of them as one.

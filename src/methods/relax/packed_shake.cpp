@@ -122,9 +122,10 @@ class PackedShake final : public Stepper {
   std::optional<double> energy() override {
     if (at_.velocities) return std::nullopt;
     const FieldKick end = end_kick();
-    return energy_of_motion(links_.places().layout,
-                            {1.0 / at_.h, end.keep, packed_vector(end.gain), packed_vector(-model_.gravity)},
-                            mass_at_place_, present_.read(), previous_.read());
+    return energy_of_motion(
+        links_.places().layout,
+        {1.0 / at_.h, end.keep, packed_vector<double>(end.gain), packed_vector<double>(-model_.gravity)},
+        mass_at_place_, present_.read(), previous_.read());
   }
 
  private:
@@ -161,9 +162,6 @@ class PackedShake final : public Stepper {
   }
 
   FieldKick end_kick() const { return field_kick(model_, 0.5 * at_.h, DragAt::end); }
-  static Packed<double> packed_vector(const Vec3& vector) {
-    return {vector.x(), vector.y(), vector.z(), 0.0};
-  }
   static Vec3 at(const Masses& masses, std::size_t place) {
     const Packed<double> vector = masses.at(place);
     return {vector.x, vector.y, vector.z};
@@ -183,8 +181,8 @@ class PackedShake final : public Stepper {
                                     end.keep,
                                     begun.keep,
                                     h,
-                                    packed_vector(end.gain),
-                                    packed_vector(begun.gain)};
+                                    packed_vector<double>(end.gain),
+                                    packed_vector<double>(begun.gain)};
     links_.places().load_pins(state_.position, moved);
     links_.begin_step(1.0, 1.0);
     for (int made = 0; made < passes_; ++made) {

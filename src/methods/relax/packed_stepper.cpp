@@ -17,11 +17,6 @@
 namespace taut {
 namespace {
 
-template <class Real>
-Packed<Real> packed_gain(const Vec3& gain) {
-  return {static_cast<Real>(gain.x()), static_cast<Real>(gain.y()), static_cast<Real>(gain.z()), Real(0)};
-}
-
 template <class LinkRelaxation>
 class PackedStepper final : public Stepper {
   using Real = typename LinkRelaxation::Number;
@@ -138,7 +133,7 @@ class PackedStepper final : public Stepper {
   void set_kick(double seconds, Real& keep, Packed<Real>& gain) const {
     const FieldKick fields = field_kick(model_, seconds, DragAt::end);
     keep = static_cast<Real>(fields.keep);
-    gain = packed_gain<Real>(fields.gain);
+    gain = packed_vector<Real>(fields.gain);
   }
 
   bool make_passes(double h, const FreeMotion<Real>& motion, bool keep, const Masses& start,

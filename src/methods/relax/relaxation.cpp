@@ -73,7 +73,7 @@ void Relaxation<Real>::lay_out(const State& state) {
 
 // What the formulas have of h, drag, weights and softness together.
 template <class Real>
-void Relaxation<Real>::settle(Real h, Real answer) {
+void Relaxation<Real>::begin_step(Real h, Real answer) {
   if (h == settled_h_ && answer == settled_answer_) return;
   settled_h_ = h;
   settled_answer_ = answer;
@@ -107,11 +107,6 @@ LinkArrays<Real> Relaxation<Real>::arrays() {
           arrays_.share_b.data(),
           arrays_.scaled.data(),
           arrays_.gamma.data()};
-}
-
-template <class Real>
-void Relaxation<Real>::begin_step(Real h, Real answer) {
-  settle(h, answer);
 }
 
 template <class Real>

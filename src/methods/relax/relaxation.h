@@ -82,7 +82,6 @@ class Relaxation {
  private:
   void list_links();
   void lay_out(const State& state);
-  void settle(Real h, Real answer);
 
   const Model& model_;
   Visits visits_;
